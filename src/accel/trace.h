@@ -1,0 +1,84 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * The waist of the renderer: three questions about rays, asked in batches.
+ *
+ * A geometry is a compiled scene with its accelerator, instances and unbounded list. Rays are in world
+ * coordinates; t counts in units of dir's length. Ids below geometry's count are the accelerator's;
+ * unbounded primitives (planes) come after them, so that the order (t, id) covers both.
+ */
+#ifndef ALIDADE_ACCEL_TRACE_H
+#define ALIDADE_ACCEL_TRACE_H
+
+#include "alidade/accel.h"
+#include "base/diag.h"
+#include "base/mem.h"
+#include "base/pool.h"
+#include "scene/scene.h"
+
+/* A primitive's mask: rays see it if they share a bit. */
+enum trace_mask {
+	TRACE_CAMERA = 1, /* not no_image */
+	TRACE_REFLECTED = 2, /* not no_reflection */
+	TRACE_OTHER = 4, /* refracted, transmitted */
+	TRACE_SHADOW_OPAQUE = 8, /* casts shadows, lets no light through */
+	TRACE_SHADOW_CLEAR = 16 /* casts shadows, lets some light through */
+};
+
+struct geometry; /* opaque; made by geometry_build() */
+
+/* What shading needs to know of a hit, in world coordinates. */
+struct surface {
+	vec p; /* on the surface */
+	vec n; /* unit geometric normal of the primitive, outward; of a triangle: by winding */
+	vec ns; /* unit shading normal, in n's hemisphere as the mesh gives it; = n where flat */
+	double bary[3]; /* of a triangle's corners */
+	uint32_t texture[3]; /* scene textures; [1] and [2] equal [0] unless blended by bary */
+	uint32_t interior_texture; /* or SCENE_NONE */
+	uint32_t interior; /* or SCENE_NONE */
+	uint32_t object; /* the leaf object as a volume: equal for all surfaces of one solid */
+	unsigned flags; /* enum object_flag */
+	bool planar; /* next rays may skip this primitive by id */
+};
+
+struct accel_choice; /* a loaded plugin with parameter values, of load.h */
+
+struct geometry_counts {
+	uint64_t triangles, primitives, instances, unbounded, dropped;
+	uint64_t effective_triangles; /* instances counted */
+	ald_box box; /* world, of the finite geometry */
+	double scale; /* the exact power of two between world and the accelerator's coordinates */
+	bool vertex_double;
+};
+
+/* Compile the scene and build its accelerators. The scene must outlive the geometry. */
+enum status geometry_build(struct geometry **out, const struct scene *, const struct accel_choice *,
+			   struct pool *, struct mem_book *, bool count, struct diag *);
+void geometry_free(struct geometry *); /* NULL is harmless */
+void geometry_get_counts(const struct geometry *, struct geometry_counts *);
+/* Sum over threads of the accelerator's counters, instances' inner ones included. */
+void geometry_get_counters(const struct geometry *, uint64_t count[ALD_COUNT_MAX]);
+/* The plugin's own figures (nodes, depth ...); 0 at the end, as in accel.h. */
+int geometry_stat(const struct geometry *, uint32_t i, const char **name, double *value);
+double geometry_build_seconds(const struct geometry *);
+
+/* hits[i] is overwritten: prim is ALD_NONE for a miss. thread is the pool's. [render] */
+void trace_nearest(const struct geometry *, uint32_t thread, const ald_ray *, ald_hit *, uint32_t n,
+		   uint32_t hints);
+/* hidden[i] = 1 if anything with a bit of the ray's mask is hit in (tmin, tmax]. [render] */
+void trace_occluded(const struct geometry *, uint32_t thread, const ald_ray *, uint8_t *hidden,
+		    uint32_t n, uint32_t hints);
+/* Set ray so that the next trace_nearest() finds what lies behind hit (R2). */
+void trace_after(ald_ray *, const ald_hit *);
+
+/* Normals, barycentrics, textures of a hit. [render] */
+void surface_at(const struct geometry *, const ald_ray *, const ald_hit *, struct surface *);
+/* A bound on the distance between surface.p and the true surface, in world units (R4, numerics): a
+ * ray that starts at p, moved by this along n, is on that side of this surface. */
+double surface_error(const struct geometry *, const ald_ray *, const ald_hit *, const struct surface *);
+/* Solids that hold point p, by leaf object number in increasing order, at most room of them; returns how
+ * many there are. Surfaces without an inside (meshes without inside_vector, discs) hold nothing. */
+uint32_t geometry_inside(const struct geometry *, vec p, uint32_t *object, uint32_t room);
+uint32_t geometry_object_interior(const struct geometry *, uint32_t object); /* or SCENE_NONE */
+
+#endif

@@ -1,0 +1,219 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "base/mem.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define ALIGN 64
+#define CHUNK (64 * 1024)
+
+/* Stands in the 64 bytes before each block. */
+struct block {
+	struct mem_book *book;
+	struct mem_account *account;
+	size_t bytes; /* as asked for */
+};
+
+void mem_book_init(struct mem_book *book, uint64_t limit)
+{
+	memset(book, 0, sizeof(*book));
+	book->limit = limit;
+}
+
+struct mem_account *mem_account_get(struct mem_book *book, const char *name)
+{
+	static atomic_flag lock = ATOMIC_FLAG_INIT;
+	struct mem_account *found = NULL;
+	uint32_t n = atomic_load(&book->count);
+
+	for (uint32_t i = 0; i < n; i++) {
+		if (!strncmp(book->account[i].name, name, sizeof(book->account[i].name) - 1))
+			return &book->account[i];
+	}
+	while (atomic_flag_test_and_set(&lock))
+		;
+	n = atomic_load(&book->count);
+	for (uint32_t i = 0; i < n && !found; i++) {
+		if (!strncmp(book->account[i].name, name, sizeof(book->account[i].name) - 1))
+			found = &book->account[i];
+	}
+	if (!found && n < MEM_PURPOSES) {
+		found = &book->account[n];
+		snprintf(found->name, sizeof(found->name), "%s",
+			 n == MEM_PURPOSES - 1 ? "other" : name);
+		atomic_store(&book->count, n + 1);
+	}
+	atomic_flag_clear(&lock);
+	return found ? found : &book->account[MEM_PURPOSES - 1];
+}
+
+static void raise_peak(_Atomic uint64_t *peak, uint64_t now)
+{
+	uint64_t old = atomic_load(peak);
+
+	while (now > old && !atomic_compare_exchange_weak(peak, &old, now))
+		;
+}
+
+static bool book_add(struct mem_book *book, struct mem_account *account, size_t bytes)
+{
+	uint64_t now = atomic_fetch_add(&book->now, bytes) + bytes;
+
+	if (book->limit && now > book->limit) {
+		atomic_fetch_sub(&book->now, bytes);
+		return false;
+	}
+	raise_peak(&book->peak, now);
+	raise_peak(&account->peak, atomic_fetch_add(&account->now, bytes) + bytes);
+	return true;
+}
+
+static void book_sub(const struct block *b)
+{
+	atomic_fetch_sub(&b->book->now, b->bytes);
+	atomic_fetch_sub(&b->account->now, b->bytes);
+}
+
+void *mem_alloc(struct mem_book *book, const char *purpose, size_t bytes)
+{
+	struct mem_account *account = mem_account_get(book, purpose);
+	struct block *b;
+
+	if (bytes > SIZE_MAX - 2 * ALIGN || !book_add(book, account, bytes))
+		return NULL;
+	b = aligned_alloc(ALIGN, ALIGN + (bytes + ALIGN - 1) / ALIGN * ALIGN);
+	if (!b) {
+		atomic_fetch_sub(&book->now, bytes);
+		atomic_fetch_sub(&account->now, bytes);
+		return NULL;
+	}
+	*b = (struct block){ book, account, bytes };
+	return (char *)b + ALIGN;
+}
+
+void *mem_zalloc(struct mem_book *book, const char *purpose, size_t bytes)
+{
+	void *p = mem_alloc(book, purpose, bytes);
+
+	if (p)
+		memset(p, 0, bytes);
+	return p;
+}
+
+void *mem_realloc(void *p, size_t bytes)
+{
+	struct block *b = (struct block *)((char *)p - ALIGN);
+	void *q = mem_alloc(b->book, b->account->name, bytes);
+
+	if (!q)
+		return NULL;
+	memcpy(q, p, bytes < b->bytes ? bytes : b->bytes);
+	mem_free(p);
+	return q;
+}
+
+void mem_free(void *p)
+{
+	struct block *b;
+
+	if (!p)
+		return;
+	b = (struct block *)((char *)p - ALIGN);
+	book_sub(b);
+	free(b);
+}
+
+size_t mem_product(size_t a, size_t b)
+{
+	size_t out;
+
+	return __builtin_mul_overflow(a, b, &out) ? SIZE_MAX : out;
+}
+
+struct arena_chunk {
+	struct arena_chunk *older;
+	size_t size;
+	_Alignas(16) char data[];
+};
+
+void arena_init(struct arena *a, struct mem_book *book, const char *purpose)
+{
+	*a = (struct arena){ .book = book, .purpose = purpose };
+}
+
+void *arena_alloc(struct arena *a, size_t bytes)
+{
+	struct arena_chunk *c;
+	size_t size;
+	void *p;
+
+	if (bytes > SIZE_MAX / 2)
+		return NULL;
+	bytes = (bytes + 15) & ~(size_t)15;
+	if (bytes > a->size - a->used) {
+		size = bytes > CHUNK ? bytes : CHUNK;
+		c = mem_alloc(a->book, a->purpose, sizeof(*c) + size);
+		if (!c)
+			return NULL;
+		c->older = a->chunk;
+		c->size = size;
+		a->chunk = c;
+		a->used = 0;
+		a->size = size;
+	}
+	p = a->chunk->data + a->used;
+	a->used += bytes;
+	return p;
+}
+
+void *arena_zalloc(struct arena *a, size_t bytes)
+{
+	void *p = arena_alloc(a, bytes);
+
+	if (p)
+		memset(p, 0, bytes);
+	return p;
+}
+
+char *arena_memdup(struct arena *a, const void *p, size_t bytes)
+{
+	char *q = arena_alloc(a, bytes);
+
+	if (q)
+		memcpy(q, p, bytes);
+	return q;
+}
+
+char *arena_strdup(struct arena *a, const char *s)
+{
+	return arena_memdup(a, s, strlen(s) + 1);
+}
+
+void arena_reset(struct arena *a)
+{
+	struct arena_chunk *c = a->chunk, *older;
+
+	if (!c)
+		return;
+	for (older = c->older; older; older = c->older) {
+		c->older = older->older;
+		mem_free(older);
+	}
+	a->used = 0;
+}
+
+void arena_release(struct arena *a)
+{
+	struct arena_chunk *older;
+
+	for (struct arena_chunk *c = a->chunk; c; c = older) {
+		older = c->older;
+		mem_free(c);
+	}
+	a->chunk = NULL;
+	a->used = a->size = 0;
+}

@@ -1,0 +1,1 @@
+src_libalidade_la_SOURCES +=

@@ -1,0 +1,72 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Reading a scene file. The reader is chosen by the file's first bytes and its name's ending.
+ */
+#ifndef ALIDADE_READ_READ_H
+#define ALIDADE_READ_READ_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "base/diag.h"
+#include "scene/scene.h"
+
+/* Limits on what a scene may ask of the reader; 0 means the default, which alidade(1) states. */
+struct read_limits {
+	uint32_t nesting; /* of braces, parentheses and #if, together */
+	uint32_t macro_depth;
+	uint32_t include_depth;
+	uint64_t loop_steps; /* iterations of all #while and #for together */
+	uint64_t string_bytes; /* of one string */
+	uint64_t tokens; /* read in all, macro bodies and loops again each time */
+	uint64_t elements; /* of one list or array */
+	uint64_t objects;
+	double seconds; /* of reading; 0: none */
+};
+
+struct read_define {
+	const char *name, *value; /* value is an SDL float or a quoted string */
+};
+
+/* What an .ini file asks for; a field is given if its bit in set is. */
+enum {
+	READ_JOB_WIDTH = 1, READ_JOB_HEIGHT = 2, READ_JOB_OUTPUT = 4, READ_JOB_AA = 8,
+	READ_JOB_AA_METHOD = 16, READ_JOB_AA_DEPTH = 32, READ_JOB_AA_THRESHOLD = 64,
+	READ_JOB_AA_GAMMA = 128, READ_JOB_START_ROW = 256, READ_JOB_END_ROW = 512,
+	READ_JOB_START_COLUMN = 1024, READ_JOB_END_COLUMN = 2048, READ_JOB_ALPHA = 4096
+};
+
+struct read_job {
+	unsigned set;
+	char *output; /* in the scene's arena */
+	uint32_t width, height;
+	bool aa, alpha;
+	uint32_t aa_method, aa_depth;
+	double aa_threshold, aa_gamma;
+	/* As written: 1-based pixel numbers, or fractions of the picture if below 1 (POV-Ray 3.2.8.3.3). */
+	double start_row, end_row, start_column, end_column;
+};
+
+struct read_options {
+	const char *const *include_dirs; /* -L, in order */
+	uint32_t include_dir_count;
+	bool no_system_includes; /* do not look in an installed POV-Ray's include folder */
+	bool lenient; /* what is not supported is a warning, not an error */
+	const struct read_define *defines;
+	uint32_t define_count;
+	uint32_t width, height; /* image_width, image_height; 0: not yet known (the .ini may say) */
+	struct read_limits limits;
+	bool quiet_debug; /* do not pass on #debug output */
+	/* Asked now and then; true: stop with STATUS_SIGINT. May be NULL. */
+	bool (*stop)(void *arg);
+	void *stop_arg;
+};
+
+/* Read the scene (or, for an .ini, the job and the scene it names) from path; "-" is standard input.
+ * job may be NULL. Problems go to diag; the first error ends reading and its status is returned; the
+ * scene can be released whatever happens. */
+enum status read_scene(const char *path, const struct read_options *, struct scene *,
+		       struct read_job *job, struct diag *);
+
+#endif

@@ -1,0 +1,261 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "scene/scene.h"
+
+#include <string.h>
+
+void scene_init(struct scene *s, struct mem_book *book)
+{
+	memset(s, 0, sizeof(*s));
+	s->book = book;
+	arena_init(&s->arena, book, "scene");
+	s->version = 370;
+	s->assumed_gamma = 1;
+	s->max_trace_level = 5;
+	s->adc_bailout = 1.0 / 255.0;
+	s->ambient_light = rgb_make(1, 1, 1);
+	s->first_root = s->last_root = SCENE_NONE;
+}
+
+void scene_release(struct scene *s)
+{
+	for (uint32_t i = 0; i < s->mesh_count; i++) {
+		mem_free(s->mesh[i].vertex);
+		mem_free(s->mesh[i].index);
+		mem_free(s->mesh[i].normal);
+		mem_free(s->mesh[i].normal_index);
+		mem_free(s->mesh[i].texture);
+	}
+	mem_free(s->light);
+	mem_free(s->texture);
+	mem_free(s->interior);
+	mem_free(s->mesh);
+	mem_free(s->object);
+	arena_release(&s->arena);
+}
+
+/* Room for one more in a growing array, cleared; its index or SCENE_NONE. */
+static uint32_t grow(struct scene *s, void **array, uint32_t *count, uint32_t *room, size_t size)
+{
+	if (*count == *room) {
+		uint32_t more = *room ? *room * 2 : 8;
+		void *p;
+
+		if (more <= *room)
+			return SCENE_NONE;
+		p = *array ? mem_realloc(*array, mem_product(more, size)) :
+			     mem_alloc(s->book, "scene", mem_product(more, size));
+		if (!p)
+			return SCENE_NONE;
+		*array = p;
+		*room = more;
+	}
+	memset((char *)*array + *count * size, 0, size);
+	return (*count)++;
+}
+
+uint32_t scene_add_light(struct scene *s)
+{
+	void *p = s->light;
+	uint32_t i = grow(s, &p, &s->light_count, &s->light_room, sizeof(*s->light));
+
+	s->light = p;
+	return i;
+}
+
+uint32_t scene_add_texture(struct scene *s, uint32_t layers)
+{
+	struct layer *layer = arena_zalloc(&s->arena, mem_product(layers, sizeof(*layer)));
+	void *p = s->texture;
+	uint32_t i;
+
+	if (!layer)
+		return SCENE_NONE;
+	i = grow(s, &p, &s->texture_count, &s->texture_room, sizeof(*s->texture));
+	s->texture = p;
+	if (i != SCENE_NONE)
+		s->texture[i] = (struct texture){ layers, layer };
+	return i;
+}
+
+uint32_t scene_add_interior(struct scene *s)
+{
+	void *p = s->interior;
+	uint32_t i = grow(s, &p, &s->interior_count, &s->interior_room, sizeof(*s->interior));
+
+	s->interior = p;
+	return i;
+}
+
+uint32_t scene_add_mesh(struct scene *s)
+{
+	void *p = s->mesh;
+	uint32_t i = grow(s, &p, &s->mesh_count, &s->mesh_room, sizeof(*s->mesh));
+
+	s->mesh = p;
+	return i;
+}
+
+uint32_t scene_add_object(struct scene *s)
+{
+	void *p = s->object;
+	uint32_t i = grow(s, &p, &s->object_count, &s->object_room, sizeof(*s->object));
+	struct object *o;
+
+	s->object = p;
+	if (i == SCENE_NONE)
+		return i;
+	o = &s->object[i];
+	o->place = xform_identity;
+	o->texture = o->interior_texture = o->interior = SCENE_NONE;
+	o->first_child = o->next_sibling = SCENE_NONE;
+	return i;
+}
+
+void scene_add_root(struct scene *s, uint32_t o)
+{
+	if (s->last_root == SCENE_NONE)
+		s->first_root = o;
+	else
+		s->object[s->last_root].next_sibling = o;
+	s->last_root = o;
+}
+
+struct finish finish_default(void)
+{
+	return (struct finish){ .ambient = { 0.1, 0.1, 0.1 },
+				.diffuse = 0.6,
+				.brilliance = 1,
+				.phong_size = 40,
+				.roughness = 0.05,
+				.reflection_falloff = 1,
+				.reflection_exponent = 1 };
+}
+
+bool texture_translucent(const struct texture *t)
+{
+	for (uint32_t i = 0; i < t->count; i++) {
+		const struct rgbft *c = &t->layer[i].pigment.colour;
+
+		if (c->filter == 0 && c->transmit == 0)
+			return false;
+	}
+	return true;
+}
+
+/* FNV-1a, 64 bits: stable over machines of one byte order, and nothing here defends against malice. */
+static uint64_t hash_bytes(uint64_t h, const void *p, size_t n)
+{
+	const unsigned char *c = p;
+
+	for (size_t i = 0; i < n; i++)
+		h = (h ^ c[i]) * 1099511628211u;
+	return h;
+}
+
+#define HASH(h, x) hash_bytes(h, &(x), sizeof(x))
+
+static uint64_t hash_words(uint64_t h, const void *p, size_t n)
+{
+	const unsigned char *c = p;
+	uint64_t w;
+
+	/* Eight bytes at a time: meshes are large. */
+	for (; n >= 8; n -= 8, c += 8) {
+		memcpy(&w, c, 8);
+		h = (h ^ w) * 1099511628211u;
+		h ^= h >> 32;
+	}
+	return hash_bytes(h, c, n);
+}
+
+static uint64_t hash_mesh(uint64_t h, const struct mesh *m)
+{
+	h = HASH(h, m->vertex_count);
+	h = HASH(h, m->triangle_count);
+	h = HASH(h, m->smooth_count);
+	h = hash_words(h, m->vertex, (size_t)m->vertex_count * 3 * sizeof(double));
+	h = hash_words(h, m->index, (size_t)m->triangle_count * 3 * sizeof(uint32_t));
+	if (m->normal)
+		h = hash_words(h, m->normal, (size_t)m->normal_count * 3 * sizeof(float));
+	if (m->normal_index)
+		h = hash_words(h, m->normal_index, (size_t)m->smooth_count * 3 * sizeof(uint32_t));
+	if (m->texture)
+		h = hash_words(h, m->texture,
+			       (size_t)m->triangle_count * m->textures_per_face * sizeof(uint32_t));
+	return HASH(h, m->inside);
+}
+
+/* Structs are hashed field by field where padding could differ; those made of doubles alone, whole. */
+static uint64_t hash_object(uint64_t h, const struct object *o)
+{
+	h = HASH(h, o->kind);
+	h = HASH(h, o->place.fwd);
+	h = HASH(h, o->texture);
+	h = HASH(h, o->interior_texture);
+	h = HASH(h, o->interior);
+	h = HASH(h, o->flags);
+	h = HASH(h, o->first_child);
+	h = HASH(h, o->next_sibling);
+	return HASH(h, o->shape); /* cleared when made, so its padding is 0 */
+}
+
+static uint64_t hash_light(uint64_t h, const struct light *l)
+{
+	h = HASH(h, l->kind);
+	h = hash_bytes(h, &l->parallel, 7); /* the flags stand together */
+	h = HASH(h, l->adaptive);
+	h = HASH(h, l->size1);
+	h = HASH(h, l->size2);
+	h = HASH(h, l->location);
+	h = HASH(h, l->direction);
+	h = HASH(h, l->axis1);
+	h = HASH(h, l->axis2);
+	h = HASH(h, l->colour);
+	h = HASH(h, l->radius);
+	h = HASH(h, l->falloff);
+	h = HASH(h, l->tightness);
+	h = HASH(h, l->fade_distance);
+	return HASH(h, l->fade_power);
+}
+
+static uint64_t hash_layer(uint64_t h, const struct layer *l)
+{
+	h = HASH(h, l->pigment.kind);
+	h = HASH(h, l->pigment.colour);
+	h = hash_bytes(h, &l->finish, offsetof(struct finish, reflection_fresnel));
+	h = HASH(h, l->finish.reflection_fresnel);
+	return HASH(h, l->finish.conserve_energy);
+}
+
+uint64_t scene_hash(const struct scene *s)
+{
+	uint64_t h = 14695981039346656037u;
+
+	h = HASH(h, s->version);
+	h = HASH(h, s->assumed_gamma);
+	h = HASH(h, s->max_trace_level);
+	h = HASH(h, s->adc_bailout);
+	h = HASH(h, s->ambient_light);
+	h = HASH(h, s->background);
+	h = HASH(h, s->camera.kind);
+	h = HASH(h, s->camera.location);
+	h = HASH(h, s->camera.direction);
+	h = HASH(h, s->camera.right);
+	h = HASH(h, s->camera.up);
+	for (uint32_t i = 0; i < s->light_count; i++)
+		h = hash_light(h, &s->light[i]);
+	for (uint32_t i = 0; i < s->texture_count; i++) {
+		h = HASH(h, s->texture[i].count);
+		for (uint32_t j = 0; j < s->texture[i].count; j++)
+			h = hash_layer(h, &s->texture[i].layer[j]);
+	}
+	for (uint32_t i = 0; i < s->interior_count; i++)
+		h = HASH(h, s->interior[i]);
+	for (uint32_t i = 0; i < s->mesh_count; i++)
+		h = hash_mesh(h, &s->mesh[i]);
+	for (uint32_t i = 0; i < s->object_count; i++)
+		h = hash_object(h, &s->object[i]);
+	return h;
+}

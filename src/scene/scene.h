@@ -1,0 +1,217 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * A scene as data: what a reader found in a file, with defaults filled in and every name resolved.
+ *
+ * Readers write it, prim/compile.c turns the objects into primitives, shade/ looks up textures and
+ * lights. Nothing here knows a file format or a ray. Lengths are in scene units, angles in degrees,
+ * colours in the scene's working space. All memory belongs to the scene; things refer to each other
+ * by index, so arrays may grow while reading.
+ */
+#ifndef ALIDADE_SCENE_SCENE_H
+#define ALIDADE_SCENE_SCENE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "base/colour.h"
+#include "base/diag.h"
+#include "base/mem.h"
+#include "base/vec.h"
+
+#define SCENE_NONE UINT32_MAX /* no texture, no interior, no object */
+
+enum camera_kind { CAMERA_PERSPECTIVE, CAMERA_ORTHOGRAPHIC };
+
+/* Placed for good: a ray through (x, y) in -0.5..0.5 (right, up) has, for a perspective camera, the
+ * origin location and the direction direction + x right + y up; for an orthographic one the origin
+ * location + x right + y up and the direction direction. */
+struct camera {
+	enum camera_kind kind;
+	vec location, direction, right, up;
+	struct diag_pos pos;
+};
+
+enum light_kind { LIGHT_POINT, LIGHT_SPOT, LIGHT_CYLINDER };
+
+struct light {
+	enum light_kind kind;
+	bool parallel; /* rays along -direction from a plane through location */
+	bool shadowless;
+	bool area; /* area_light: size1 x size2 points spread along axis1 and axis2 */
+	bool area_illumination, jitter, circular, orient;
+	uint32_t adaptive; /* levels of subdivision; LIGHT_NOT_ADAPTIVE: not given */
+	uint32_t size1, size2; /* at least 1 */
+	vec location;
+	vec direction; /* unit, from location to point_at; spot, cylinder and parallel lights */
+	vec axis1, axis2; /* full length */
+	struct rgb colour;
+	double radius, falloff; /* spot: degrees; cylinder: units */
+	double tightness;
+	double fade_distance, fade_power; /* no fading unless both are > 0 */
+	struct diag_pos pos;
+};
+#define LIGHT_NOT_ADAPTIVE UINT32_MAX
+
+enum pigment_kind { PIGMENT_COLOUR };
+
+struct pigment {
+	enum pigment_kind kind;
+	struct rgbft colour;
+};
+
+/* POV-Ray's finish block (manual 3.4.6.3), with the albedo variants already divided out. */
+struct finish {
+	struct rgb ambient, emission;
+	double diffuse, diffuse_back, brilliance;
+	double phong, phong_size;
+	double specular, roughness; /* roughness > 0 */
+	double metallic;
+	struct rgb reflection_min, reflection_max;
+	double reflection_falloff, reflection_exponent, reflection_metallic;
+	bool reflection_fresnel;
+	bool conserve_energy;
+};
+
+struct layer {
+	struct pigment pigment;
+	struct finish finish;
+};
+
+/* layer[0] is the topmost, the first that a ray from outside meets. */
+struct texture {
+	uint32_t count; /* at least 1 */
+	struct layer *layer;
+};
+
+struct interior {
+	double ior; /* 1: rays pass straight */
+	double caustics; /* 0: none */
+	double fade_distance, fade_power; /* no fading unless fade_power > 0 */
+	struct rgb fade_colour;
+};
+
+/* Positions in double as read; normals in float as POV-Ray keeps them. */
+struct mesh {
+	uint32_t vertex_count, triangle_count, normal_count;
+	double *vertex; /* [3 * vertex_count] */
+	uint32_t *index; /* [3 * triangle_count] */
+	float *normal; /* [3 * normal_count], unit length, or NULL */
+	uint32_t *normal_index; /* [3 * smooth_count]; NULL: same as index */
+	uint32_t smooth_count; /* the first so many triangles have normals, the others are flat */
+	uint32_t *texture; /* [triangle_count * textures_per_face] scene textures (SCENE_NONE: the
+			      object's own), or NULL: all have the object's own texture */
+	uint32_t textures_per_face; /* 0, 1, or 3: one per corner, blended */
+	bool has_inside;
+	vec inside; /* inside_vector */
+	struct diag_pos pos;
+};
+
+enum shape_kind {
+	SHAPE_MESH,
+	SHAPE_SPHERE,
+	SHAPE_BOX,
+	SHAPE_CONE, /* and cylinder */
+	SHAPE_PLANE,
+	SHAPE_DISC,
+	SHAPE_TORUS,
+	SHAPE_UNION,
+	SHAPE_KINDS
+};
+
+enum object_flag {
+	OBJECT_NO_SHADOW = 1, /* casts none */
+	OBJECT_NO_IMAGE = 2, /* camera rays do not see it */
+	OBJECT_NO_REFLECTION = 4, /* reflected rays do not see it */
+	OBJECT_HOLLOW = 8,
+	OBJECT_DOUBLE_ILLUMINATE = 16,
+	OBJECT_INVERSE = 32
+};
+
+struct object {
+	enum shape_kind kind;
+	struct xform place; /* own coordinates to the parent's */
+	uint32_t texture, interior_texture; /* SCENE_NONE: the parent's */
+	uint32_t interior; /* SCENE_NONE: the parent's */
+	unsigned flags; /* enum object_flag; a parent's are added */
+	uint32_t first_child, next_sibling; /* unions; SCENE_NONE ends */
+	union {
+		uint32_t mesh;
+		struct {
+			vec centre;
+			double radius;
+		} sphere;
+		struct {
+			vec lo, hi; /* lo <= hi */
+		} box;
+		struct {
+			vec base, apex;
+			double base_radius, apex_radius; /* >= 0, not both 0 */
+			bool open;
+		} cone;
+		struct {
+			vec normal; /* unit */
+			double distance; /* points p with p.normal = distance */
+		} plane;
+		struct {
+			vec centre, normal; /* unit */
+			double radius, hole;
+		} disc;
+		struct {
+			double major, minor; /* about the y axis */
+		} torus;
+	} shape;
+	struct diag_pos pos;
+};
+
+struct scene {
+	struct mem_book *book; /* the caller's; outlives the scene */
+	struct arena arena; /* small things; file names in diag_pos too */
+	char *name; /* the file it came from, "-" for standard input */
+
+	int version; /* 100 times POV-Ray's: 370 */
+	double assumed_gamma; /* 0: no gamma correction at all */
+	uint32_t max_trace_level; /* at least 1 */
+	double adc_bailout;
+	struct rgb ambient_light;
+	struct rgbft background;
+	bool radiosity; /* a radiosity block was given */
+	struct camera camera;
+	bool has_camera;
+
+	uint32_t light_count, light_room;
+	struct light *light;
+	uint32_t texture_count, texture_room;
+	struct texture *texture; /* layers are in the arena */
+	uint32_t interior_count, interior_room;
+	struct interior *interior;
+	uint32_t mesh_count, mesh_room;
+	struct mesh *mesh; /* arrays by mem_alloc */
+	uint32_t object_count, object_room;
+	struct object *object; /* the whole forest */
+	uint32_t first_root, last_root; /* chained by next_sibling in the order of the file */
+};
+
+/* Empty scene with POV-Ray 3.7's defaults. */
+void scene_init(struct scene *, struct mem_book *);
+void scene_release(struct scene *);
+
+/* Append one, cleared (object: identity place, no texture, no interior, no relations), and return its
+ * index, or SCENE_NONE when out of memory. Pointers into the array change. */
+uint32_t scene_add_light(struct scene *);
+uint32_t scene_add_texture(struct scene *, uint32_t layers);
+uint32_t scene_add_interior(struct scene *);
+uint32_t scene_add_mesh(struct scene *);
+uint32_t scene_add_object(struct scene *);
+/* Put object o at the end of the roots. */
+void scene_add_root(struct scene *, uint32_t o);
+
+/* The finish that POV-Ray starts from (manual 3.4.6.3). */
+struct finish finish_default(void);
+/* True if light can pass: filter or transmit is not 0 in every layer. */
+bool texture_translucent(const struct texture *);
+
+/* 64 bits over everything that decides the picture (not names and places). */
+uint64_t scene_hash(const struct scene *);
+
+#endif

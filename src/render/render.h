@@ -1,0 +1,59 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * A scene and its geometry to a picture: tiles over the thread pool, each in waves of rays.
+ */
+#ifndef ALIDADE_RENDER_RENDER_H
+#define ALIDADE_RENDER_RENDER_H
+
+#include "accel/trace.h"
+#include "base/diag.h"
+#include "base/mem.h"
+#include "base/pool.h"
+#include "image/image.h"
+#include "scene/scene.h"
+
+enum render_aa {
+	RENDER_AA_NONE, /* one ray through each pixel's centre */
+	RENDER_AA_GRID, /* n x n a pixel */
+	RENDER_AA_POV1, /* POV-Ray's method 1: neighbours, not recursive (manual 3.2.8.7) */
+	RENDER_AA_POV2 /* POV-Ray's method 2: corners, recursive */
+};
+
+struct render_options {
+	uint32_t width, height; /* of the whole picture */
+	uint32_t crop_x, crop_y, crop_width, crop_height; /* the part to render; width 0: all */
+	enum render_aa aa;
+	uint32_t aa_n; /* grid: samples a side; pov1: samples a side; pov2: depth of recursion */
+	double aa_threshold; /* pov1, pov2: summed difference of r, g and b after encoding */
+	double aa_gamma; /* pov1, pov2: the encoding to compare in, 2.5 */
+	uint32_t tile; /* side in pixels, 0: default */
+	bool camera_only; /* no shading at all: camera rays and their hits, for counting and timing */
+	/* Called from one thread at a time, after each tile; pixels of the part to render. May be NULL. */
+	void (*progress)(void *arg, uint64_t done, uint64_t total);
+	/* Asked before each tile from any thread; true: leave the rest. May be NULL. */
+	bool (*stop)(void *arg);
+	void *arg;
+};
+
+enum render_ray { RENDER_CAMERA, RENDER_SHADOW, RENDER_REFLECTED, RENDER_REFRACTED, RENDER_RAY_KINDS };
+
+struct render_counts {
+	uint64_t cast[RENDER_RAY_KINDS], hit[RENDER_RAY_KINDS];
+	uint64_t nonfinite; /* pixels of which a sample came out NaN or Inf; it is stored as 0 */
+	uint32_t nonfinite_x, nonfinite_y; /* the first of them, by row then column */
+	uint64_t pixels; /* finished */
+	uint64_t samples;
+	double seconds;
+};
+
+/* Render into out, an image of the crop's size made here (R, G, B, A, linear, premultiplied; A is 1 but
+ * where the background is seen through). Pixels not finished when stopped are all 0, and the status is
+ * then STATUS_SIGINT; STATUS_NONFINITE if the picture is complete but nonfinite is not 0. out is valid
+ * in both cases. The same scene and size give the same bytes for any accelerator, number of threads and
+ * tile side, and a crop equals the same part of the whole. */
+enum status render_scene(const struct scene *, const struct geometry *, const struct render_options *,
+			 struct pool *, struct mem_book *, struct image *out, struct render_counts *,
+			 struct diag *);
+
+#endif

@@ -1,0 +1,8 @@
+
+if HAVE_CMOCKA
+check_PROGRAMS += tests/unit/test_json
+tests_unit_test_json_SOURCES = tests/unit/test_json.c
+tests_unit_test_json_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_json_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_json
+endif

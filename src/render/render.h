@@ -28,6 +28,7 @@ struct render_options {
 	double aa_threshold; /* pov1, pov2: summed difference of r, g and b after encoding */
 	double aa_gamma; /* pov1, pov2: the encoding to compare in, 2.5 */
 	uint32_t tile; /* side in pixels, 0: default */
+	bool alpha; /* the background is transparent as far as its filter and transmit say */
 	bool camera_only; /* no shading at all: camera rays and their hits, for counting and timing */
 	/* Called from one thread at a time, after each tile; pixels of the part to render. May be NULL. */
 	void (*progress)(void *arg, uint64_t done, uint64_t total);

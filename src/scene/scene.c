@@ -210,6 +210,7 @@ static uint64_t hash_light(uint64_t h, const struct light *l)
 	h = HASH(h, l->size2);
 	h = HASH(h, l->location);
 	h = HASH(h, l->direction);
+	h = HASH(h, l->axis_length);
 	h = HASH(h, l->axis1);
 	h = HASH(h, l->axis2);
 	h = HASH(h, l->colour);

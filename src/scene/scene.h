@@ -44,6 +44,7 @@ struct light {
 	uint32_t size1, size2; /* at least 1 */
 	vec location;
 	vec direction; /* unit, from location to point_at; spot, cylinder and parallel lights */
+	double axis_length; /* from location to point_at */
 	vec axis1, axis2; /* full length */
 	struct rgb colour;
 	double radius, falloff; /* spot: degrees; cylinder: units */

@@ -1,0 +1,137 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "shade/light.h"
+
+#include "base/rng.h"
+
+#define DEGREE (3.14159265358979323846 / 180)
+
+struct light_ray light_towards(const struct light *l, vec p, vec shift)
+{
+	vec centre = vec_add(l->location, shift), to = vec_sub(centre, p);
+	struct light_ray r;
+
+	if (l->kind == LIGHT_CYLINDER) {
+		/* Parallel beams against the axis; the shifted centre tilts it, as point_at stays. */
+		vec back = vec_sub(shift, vec_scale(l->direction, l->axis_length));
+
+		r.dir = vec_unit(back);
+		r.depth = vec_dot(to, r.dir);
+	} else {
+		r.depth = vec_length(to);
+		r.dir = vec_scale(to, 1 / r.depth);
+	}
+	if (l->parallel) {
+		vec back = vec_neg(l->direction);
+
+		if (l->area)
+			back = vec_unit(vec_sub(shift, vec_scale(l->direction, l->axis_length)));
+		r.depth *= vec_dot(back, r.dir);
+		r.dir = back;
+	}
+	return r;
+}
+
+/* 0 up to low, 1 from high, a smooth cubic between. */
+static double smooth(double low, double high, double x)
+{
+	if (x < low || high == low)
+		return x < low ? 0 : 1;
+	x = (x - low) / (high - low);
+	return x >= 1 ? 1 : (3 - 2 * x) * x * x;
+}
+
+static double spot_cone(const struct light *l, const struct light_ray *r)
+{
+	double c = -vec_dot(r->dir, l->direction), radius = cos(l->radius * DEGREE);
+	double a;
+
+	if (c <= 0)
+		return 0;
+	a = l->tightness != 0 ? pow(c, l->tightness) : 1;
+	if (radius > 0)
+		a *= smooth(cos(l->falloff * DEGREE), radius, c);
+	return a;
+}
+
+static double cylinder_beam(const struct light *l, vec p)
+{
+	vec from = vec_sub(p, l->location);
+	double along = vec_dot(from, l->direction), off, inner, a;
+
+	if (along <= 0)
+		return 0;
+	off = sqrt(fmax(0, vec_dot(from, from) - along * along));
+	if (off >= l->falloff)
+		return 0;
+	inner = 1 - off / l->falloff;
+	a = l->tightness != 0 ? pow(inner, l->tightness) : 1;
+	if (l->radius > 0 && off > l->radius)
+		a *= smooth(0, 1 - l->radius / l->falloff, inner);
+	return a;
+}
+
+double light_attenuation(const struct light *l, vec p, const struct light_ray *r)
+{
+	double a = 1;
+
+	if (l->kind == LIGHT_SPOT)
+		a = spot_cone(l, r);
+	else if (l->kind == LIGHT_CYLINDER)
+		a = cylinder_beam(l, p);
+	if (a > 0 && l->fade_power > 0 && l->fade_distance != 0)
+		a *= 2 / (1 + pow(r->depth / l->fade_distance, l->fade_power));
+	return a;
+}
+
+void light_axes(const struct light *l, vec p, vec *axis1, vec *axis2)
+{
+	struct light_ray r;
+	double length;
+	vec side;
+
+	*axis1 = l->axis1;
+	*axis2 = l->axis2;
+	if (!l->orient)
+		return;
+	r = light_towards(l, p, vec_make(0, 0, 0));
+	length = vec_length(l->axis1);
+	side = fabs(fabs(r.dir.z) - 1) < 0.01 ? vec_make(0, 1, 0) : vec_make(0, 0, 1);
+	*axis1 = vec_unit(vec_cross(r.dir, side));
+	*axis2 = vec_scale(vec_unit(vec_cross(r.dir, *axis1)), length);
+	*axis1 = vec_scale(*axis1, length);
+}
+
+/* A grid coordinate in -0.5 .. 0.5. */
+static double grid(double i, uint32_t n)
+{
+	return n > 1 ? i / (double)(n - 1) - 0.5 : 0;
+}
+
+vec light_grid_point(const struct light *l, vec axis1, vec axis2, uint32_t u, uint32_t v, uint64_t key)
+{
+	double a = u, b = v;
+
+	if (l->jitter) {
+		a += rng_unit(rng_child(key, 0)) - 0.5;
+		b += rng_unit(rng_child(key, 1)) - 0.5;
+	}
+	a = grid(a, l->size1);
+	b = grid(b, l->size2);
+	if (l->circular) {
+		double longer, r;
+
+		/* Squares of the grid become circles; POV-Ray shifts by a thousandth of the light so
+		 * that the middle point is no special case. */
+		a += 0.001;
+		b += 0.001;
+		longer = fmax(fabs(a), fabs(b));
+		r = sqrt(a * a + b * b);
+		if (r > 0) {
+			a *= longer / r;
+			b *= longer / r;
+		}
+	}
+	return vec_add(vec_scale(axis1, a), vec_scale(axis2, b));
+}

@@ -1,0 +1,505 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * alidade/kernel.h - the arithmetic that plugins and host share, so that all accelerators answer alike.
+ *
+ * Rules R1, R3, R4 and R5 of alidade-accel(3) live here. Compile with -ffp-contract=off and without
+ * -ffast-math; then every function gives the same bits in every lane, at every optimisation level, with
+ * every compiler. A NaN or an infinity among the inputs is a miss of a primitive, but never makes a
+ * volume test reject (R4b).
+ *
+ * Triangle: Woop, Benthin, Wald: Watertight Ray/Triangle Intersection, JCGT 2(1), 2013, in double.
+ * Slabs: Ize: Robust BVH Ray Traversal, JCGT 2(2), 2013. Sphere: Haines, Guenther, Akenine-Moeller:
+ * Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019. Overlap: Akenine-Moeller:
+ * Fast 3D Triangle-Box Overlap Testing, 2001.
+ */
+#ifndef ALIDADE_KERNEL_H
+#define ALIDADE_KERNEL_H
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "accel.h"
+
+#ifdef __FAST_MATH__
+#error "alidade/kernel.h: -ffast-math would make accelerators disagree"
+#endif
+#if defined __clang__
+#pragma STDC FP_CONTRACT OFF
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifdef __GNUC__
+#define ALD_INLINE static inline __attribute__((always_inline, unused))
+#else
+#define ALD_INLINE static inline
+#endif
+
+#define ALD_U (DBL_EPSILON / 2) /* unit roundoff */
+#define ALD_INF ((double)INFINITY)
+#define ALD_NAN ((double)NAN)
+#define ALD_LANES 8u /* of the n-wide forms */
+
+/* ---- outward rounding ---- */
+
+/* The next double above or below a finite x. */
+ALD_INLINE double ald_up(double x)
+{
+	uint64_t b;
+
+	if (!(x < ALD_INF)) /* NaN, +Inf */
+		return x;
+	x += 0.0; /* -0 to 0 */
+	memcpy(&b, &x, sizeof(b));
+	b = x >= 0 ? b + 1 : b - 1;
+	memcpy(&x, &b, sizeof(x));
+	return x;
+}
+
+ALD_INLINE double ald_down(double x)
+{
+	return -ald_up(-x);
+}
+
+/* The least float >= x, and the greatest <= x; beyond the floats: an infinity or FLT_MAX. */
+ALD_INLINE float ald_float_up(double x)
+{
+	float f = (float)x;
+	uint32_t b;
+
+	if (!((double)f < x))
+		return f;
+	f += 0.0f;
+	memcpy(&b, &f, sizeof(b));
+	b = f >= 0 ? b + 1 : b - 1;
+	memcpy(&f, &b, sizeof(f));
+	return f;
+}
+
+ALD_INLINE float ald_float_down(double x)
+{
+	return -ald_float_up(-x);
+}
+
+/* ---- small things ---- */
+
+ALD_INLINE double ald_get(const ald_vec *v, unsigned axis)
+{
+	return axis == 0 ? v->x : axis == 1 ? v->y : v->z;
+}
+
+/* Written so that a NaN in a leaves b. */
+ALD_INLINE double ald_max(double a, double b)
+{
+	return a > b ? a : b;
+}
+
+ALD_INLINE double ald_min(double a, double b)
+{
+	return a < b ? a : b;
+}
+
+ALD_INLINE void ald_box_join(ald_box *a, const ald_box *b)
+{
+	a->lo.x = ald_min(b->lo.x, a->lo.x);
+	a->lo.y = ald_min(b->lo.y, a->lo.y);
+	a->lo.z = ald_min(b->lo.z, a->lo.z);
+	a->hi.x = ald_max(b->hi.x, a->hi.x);
+	a->hi.y = ald_max(b->hi.y, a->hi.y);
+	a->hi.z = ald_max(b->hi.z, a->hi.z);
+}
+
+ALD_INLINE ald_box ald_box_empty(void)
+{
+	ald_box b = { { ALD_INF, ALD_INF, ALD_INF }, { -ALD_INF, -ALD_INF, -ALD_INF } };
+
+	return b;
+}
+
+/* Does the ray see primitive id at all? */
+ALD_INLINE int ald_sees(const ald_prims *prims, const ald_ray *ray, uint32_t id)
+{
+	return id != ray->skip && (!prims->mask || (prims->mask[id] & ray->mask));
+}
+
+/* The group that id belongs to. */
+ALD_INLINE uint32_t ald_group_of(const ald_prims *prims, uint32_t id)
+{
+	uint32_t lo = 0, hi = prims->group_count;
+
+	while (hi - lo > 1) {
+		uint32_t mid = lo + (hi - lo) / 2;
+
+		if (prims->group_first[mid] <= id)
+			lo = mid;
+		else
+			hi = mid;
+	}
+	return lo;
+}
+
+/* The corners of triangle id < tri_count. group: ald_group_of(); looked at only if origin is set. */
+ALD_INLINE void ald_corners(const ald_prims *prims, uint32_t id, uint32_t group, ald_vec v[3])
+{
+	for (unsigned k = 0; k < 3; k++) {
+		size_t i = 3 * (size_t)prims->index[3 * (size_t)id + k];
+
+		if (prims->vertex_double) {
+			const double *p = (const double *)prims->vertex + i;
+
+			v[k].x = p[0], v[k].y = p[1], v[k].z = p[2];
+		} else {
+			const float *p = (const float *)prims->vertex + i;
+
+			v[k].x = (double)p[0], v[k].y = (double)p[1], v[k].z = (double)p[2];
+		}
+		if (prims->origin) {
+			v[k].x += prims->origin[group].x;
+			v[k].y += prims->origin[group].y;
+			v[k].z += prims->origin[group].z;
+		}
+	}
+}
+
+/* ---- a ray made ready, once ---- */
+
+typedef struct { /* a ball around everything: for the pads of far rays */
+	ald_vec centre;
+	double radius;
+} ald_frame;
+
+ALD_INLINE ald_frame ald_frame_of(const ald_box *all)
+{
+	ald_frame f;
+	double x = all->hi.x - all->lo.x, y = all->hi.y - all->lo.y, z = all->hi.z - all->lo.z;
+
+	f.centre.x = all->lo.x + x / 2;
+	f.centre.y = all->lo.y + y / 2;
+	f.centre.z = all->lo.z + z / 2;
+	f.radius = x + y + z; /* generous: the pad wants an upper bound */
+	return f;
+}
+
+typedef struct {
+	double o[3], d[3]; /* of the ray */
+	double inv[3]; /* 1/d, infinite where d is 0 */
+	double near_o[3], far_o[3]; /* origin for near and far planes: pads folded in */
+	double shear[2], depth; /* d[kx]/d[kz], d[ky]/d[kz], 1/d[kz] */
+	double pad; /* e of R4, in the scene's units */
+	double dd; /* d.d */
+	uint32_t kx, ky, kz; /* kz: axis of the largest component; the others follow in turn */
+	uint32_t sign[3]; /* 1: d goes down, so the near plane is hi */
+} ald_prep;
+
+/* Rays with a NaN or an infinity, a zero direction, or a magnitude beyond 2^+-400 hit no triangle. */
+ALD_INLINE void ald_ray_prep(const ald_frame *f, const ald_ray *r, ald_prep *p)
+{
+	double size, fx, fy, fz, big;
+
+	p->o[0] = r->org.x, p->o[1] = r->org.y, p->o[2] = r->org.z;
+	p->d[0] = r->dir.x, p->d[1] = r->dir.y, p->d[2] = r->dir.z;
+	fx = fabs(p->d[0]), fy = fabs(p->d[1]), fz = fabs(p->d[2]);
+	p->kz = fx > fy ? (fx > fz ? 0 : 2) : (fy > fz ? 1 : 2);
+	p->kx = p->kz == 2 ? 0 : p->kz + 1;
+	p->ky = p->kx == 2 ? 0 : p->kx + 1;
+	size = fabs(p->o[0] - f->centre.x) + fabs(p->o[1] - f->centre.y) +
+	       fabs(p->o[2] - f->centre.z) + f->radius;
+	p->pad = 16 * ALD_U * size;
+	for (unsigned k = 0; k < 3; k++) {
+		p->inv[k] = 1 / p->d[k];
+		p->sign[k] = !!signbit(p->d[k]);
+		p->near_o[k] = p->sign[k] ? p->o[k] - p->pad : p->o[k] + p->pad;
+		p->far_o[k] = p->sign[k] ? p->o[k] + p->pad : p->o[k] - p->pad;
+	}
+	p->depth = p->inv[p->kz];
+	p->shear[0] = p->d[p->kx] / p->d[p->kz];
+	p->shear[1] = p->d[p->ky] / p->d[p->kz];
+	p->dd = p->d[0] * p->d[0] + p->d[1] * p->d[1] + p->d[2] * p->d[2];
+	big = fabs(p->d[p->kz]);
+	if (!(big > 0x1p-400 && big < 0x1p400 && fx < 0x1p400 && fy < 0x1p400 && fz < 0x1p400 &&
+	      size < 0x1p400))
+		p->shear[0] = p->shear[1] = ALD_NAN;
+}
+
+/* ---- volumes: closed, padded, never rejected by a NaN ---- */
+
+/* Does the line enter the box within [tmin, tmax]? If so, *enter is where (tmin when inside). Cull
+ * only if *enter is > the hit's t (R3). */
+ALD_INLINE int ald_box_ray(const ald_prep *p, const ald_box *b, double tmin, double tmax,
+			   double *enter)
+{
+	const double *lo = &b->lo.x, *hi = &b->hi.x;
+	double t0 = tmin, t1 = tmax;
+
+	for (unsigned k = 0; k < 3; k++) {
+		double n = (p->sign[k] ? hi[k] : lo[k]) - p->near_o[k];
+		double f = (p->sign[k] ? lo[k] : hi[k]) - p->far_o[k];
+
+		t0 = ald_max(n * p->inv[k], t0);
+		t1 = ald_min(f * p->inv[k], t1);
+	}
+	*enter = t0;
+	return !(t0 > t1);
+}
+
+/* The same for a ball of this centre and radius (which must hold the padded boxes of its contents). */
+ALD_INLINE int ald_sphere_ray(const ald_prep *p, const ald_vec *centre, double radius, double tmin,
+			      double tmax, double *enter)
+{
+	double fx = p->o[0] - centre->x, fy = p->o[1] - centre->y, fz = p->o[2] - centre->z;
+	double tc = -(fx * p->d[0] + fy * p->d[1] + fz * p->d[2]) / p->dd;
+	double lx = fx + tc * p->d[0], ly = fy + tc * p->d[1], lz = fz + tc * p->d[2];
+	double r = (radius + 2 * p->pad) * (1 + 8 * ALD_U);
+	double gap = r * r - (lx * lx + ly * ly + lz * lz);
+	double half;
+
+	*enter = tmin;
+	if (gap < 0)
+		return 0;
+	half = sqrt(gap / p->dd) * (1 + 8 * ALD_U) + p->pad * sqrt(1 / p->dd);
+	*enter = ald_max(tc - half, tmin);
+	return !(*enter > ald_min(tc + half, tmax));
+}
+
+/* ---- triangles ---- */
+
+/* Where the line meets the plane of a triangle that it is known to meet. From the edges, not from the
+ * volume with the origin: numerically far better for secondary rays. Then held within the triangle's
+ * own box: slivers have no sound plane, and as all steps are monotone, no box that holds the triangle
+ * is ever entered behind t (R3). */
+ALD_INLINE double ald_triangle_t(const ald_prep *p, const ald_vec *a, const ald_vec *b,
+				 const ald_vec *c)
+{
+	double ex = b->x - a->x, ey = b->y - a->y, ez = b->z - a->z;
+	double gx = c->x - a->x, gy = c->y - a->y, gz = c->z - a->z;
+	double nx = ey * gz - ez * gy, ny = ez * gx - ex * gz, nz = ex * gy - ey * gx;
+	double up = nx * (a->x - p->o[0]) + ny * (a->y - p->o[1]) + nz * (a->z - p->o[2]);
+	double t = up / (nx * p->d[0] + ny * p->d[1] + nz * p->d[2]);
+	double t0 = -ALD_INF, t1 = ALD_INF;
+	const double *v[3] = { &a->x, &b->x, &c->x };
+
+	for (unsigned k = 0; k < 3; k++) {
+		double lo = ald_min(ald_min(v[0][k], v[1][k]), v[2][k]);
+		double hi = ald_max(ald_max(v[0][k], v[1][k]), v[2][k]);
+
+		t0 = ald_max(((p->sign[k] ? hi : lo) - p->o[k]) * p->inv[k], t0);
+		t1 = ald_min(((p->sign[k] ? lo : hi) - p->o[k]) * p->inv[k], t1);
+	}
+	t = t < t1 ? t : t1; /* NaN: the plane is no plane */
+	return t > t0 ? t : t0;
+}
+
+/* R1: does the line of the ray meet the closed triangle? *t, *u, *v (weights of b and c) if so. Two
+ * triangles that share an edge can't both be missed by a line that crosses it. */
+ALD_INLINE int ald_triangle_line(const ald_prep *p, const ald_vec *a, const ald_vec *b,
+				 const ald_vec *c, double *t, double *u, double *v)
+{
+	double az = ald_get(a, p->kz) - p->o[p->kz];
+	double bz = ald_get(b, p->kz) - p->o[p->kz];
+	double cz = ald_get(c, p->kz) - p->o[p->kz];
+	double ax = (ald_get(a, p->kx) - p->o[p->kx]) - p->shear[0] * az;
+	double ay = (ald_get(a, p->ky) - p->o[p->ky]) - p->shear[1] * az;
+	double bx = (ald_get(b, p->kx) - p->o[p->kx]) - p->shear[0] * bz;
+	double by = (ald_get(b, p->ky) - p->o[p->ky]) - p->shear[1] * bz;
+	double cx = (ald_get(c, p->kx) - p->o[p->kx]) - p->shear[0] * cz;
+	double cy = (ald_get(c, p->ky) - p->o[p->ky]) - p->shear[1] * cz;
+	double wa = cx * by - cy * bx, wb = ax * cy - ay * cx, wc = bx * ay - by * ax;
+	double det = wa + wb + wc;
+
+	if (!(wa >= 0 && wb >= 0 && wc >= 0) && !(wa <= 0 && wb <= 0 && wc <= 0))
+		return 0;
+	if (!(det != 0 && fabs(det) <= DBL_MAX))
+		return 0;
+	*t = ald_triangle_t(p, a, b, c);
+	*u = wb / det;
+	*v = wc / det;
+	return 1;
+}
+
+/* Does (t, id) count for this ray: behind (tmin, after), and a better hit than *hit? Masks and skip are
+ * ald_sees()'s. */
+ALD_INLINE int ald_counts(const ald_ray *r, double t, uint32_t id, const ald_hit *hit)
+{
+	if (!(t > r->tmin || (t == r->tmin && id > r->after && r->after != ALD_NONE)))
+		return 0;
+	return ald_wins(t, id, hit);
+}
+
+/* The whole of prims->intersect() for a triangle with these corners, ald_sees() apart. */
+ALD_INLINE int ald_triangle(const ald_prep *p, const ald_ray *r, const ald_vec v[3], uint32_t id,
+			    ald_hit *hit)
+{
+	double t, a, b;
+
+	if (!ald_triangle_line(p, &v[0], &v[1], &v[2], &t, &a, &b) || !ald_counts(r, t, id, hit))
+		return 0;
+	hit->t = t;
+	hit->u = a;
+	hit->v = b;
+	hit->prim = id;
+	hit->part = 0;
+	hit->sub[0] = hit->sub[1] = 0;
+	return 1;
+}
+
+/* Corners of ALD_LANES triangles, by axis: [corner][axis][lane]. Fill unused lanes with NaN. */
+typedef struct {
+	double v[3][3][ALD_LANES];
+} ald_triangles;
+
+ALD_INLINE void ald_triangles_set(ald_triangles *s, unsigned lane, const ald_vec v[3])
+{
+	for (unsigned k = 0; k < 3; k++) {
+		s->v[k][0][lane] = v[k].x;
+		s->v[k][1][lane] = v[k].y;
+		s->v[k][2][lane] = v[k].z;
+	}
+}
+
+/* One bit a lane: the lanes that ald_triangle_line() would not reject for its edges (bit-exactly the
+ * same test). Give what is left to ald_triangle(). Plain loops over lanes: compile the caller with -O3
+ * and, by target_clones, for wider instruction sets, and they become that wide. */
+ALD_INLINE uint32_t ald_triangle_n(const ald_prep *p, const ald_triangles *s)
+{
+	const double *a[3] = { s->v[0][p->kx], s->v[0][p->ky], s->v[0][p->kz] };
+	const double *b[3] = { s->v[1][p->kx], s->v[1][p->ky], s->v[1][p->kz] };
+	const double *c[3] = { s->v[2][p->kx], s->v[2][p->ky], s->v[2][p->kz] };
+	double ox = p->o[p->kx], oy = p->o[p->ky], oz = p->o[p->kz];
+	double sx = p->shear[0], sy = p->shear[1];
+	int64_t in[ALD_LANES];
+	uint32_t bits = 0;
+
+	for (unsigned i = 0; i < ALD_LANES; i++) {
+		double az = a[2][i] - oz, bz = b[2][i] - oz, cz = c[2][i] - oz;
+		double ax = (a[0][i] - ox) - sx * az, ay = (a[1][i] - oy) - sy * az;
+		double bx = (b[0][i] - ox) - sx * bz, by = (b[1][i] - oy) - sy * bz;
+		double cx = (c[0][i] - ox) - sx * cz, cy = (c[1][i] - oy) - sy * cz;
+		double wa = cx * by - cy * bx, wb = ax * cy - ay * cx, wc = bx * ay - by * ax;
+		int64_t front = (wa >= 0) & (wb >= 0) & (wc >= 0);
+		int64_t back = (wa <= 0) & (wb <= 0) & (wc <= 0);
+
+		in[i] = front | back;
+	}
+	for (unsigned i = 0; i < ALD_LANES; i++)
+		bits |= (uint32_t)in[i] << i;
+	return bits;
+}
+
+/* ALD_LANES rays of one kz. Lanes not set are NaN and miss. */
+typedef struct {
+	double o[3][ALD_LANES]; /* along kx, ky, kz */
+	double shear[2][ALD_LANES];
+	uint32_t kx, ky, kz;
+} ald_rays;
+
+ALD_INLINE void ald_rays_clear(ald_rays *s, uint32_t kz)
+{
+	s->kz = kz;
+	s->kx = kz == 2 ? 0 : kz + 1;
+	s->ky = s->kx == 2 ? 0 : s->kx + 1;
+	for (unsigned i = 0; i < ALD_LANES; i++) {
+		s->o[0][i] = s->o[1][i] = s->o[2][i] = 0;
+		s->shear[0][i] = s->shear[1][i] = ALD_NAN;
+	}
+}
+
+/* p->kz must be s->kz. */
+ALD_INLINE void ald_rays_set(ald_rays *s, unsigned lane, const ald_prep *p)
+{
+	s->o[0][lane] = p->o[p->kx];
+	s->o[1][lane] = p->o[p->ky];
+	s->o[2][lane] = p->o[p->kz];
+	s->shear[0][lane] = p->shear[0];
+	s->shear[1][lane] = p->shear[1];
+}
+
+/* The mirror image of ald_triangle_n(): many rays, one triangle. */
+ALD_INLINE uint32_t ald_rays_triangle(const ald_rays *s, const ald_vec v[3])
+{
+	double a0 = ald_get(&v[0], s->kx), a1 = ald_get(&v[0], s->ky), a2 = ald_get(&v[0], s->kz);
+	double b0 = ald_get(&v[1], s->kx), b1 = ald_get(&v[1], s->ky), b2 = ald_get(&v[1], s->kz);
+	double c0 = ald_get(&v[2], s->kx), c1 = ald_get(&v[2], s->ky), c2 = ald_get(&v[2], s->kz);
+	int64_t in[ALD_LANES];
+	uint32_t bits = 0;
+
+	for (unsigned i = 0; i < ALD_LANES; i++) {
+		double ox = s->o[0][i], oy = s->o[1][i], oz = s->o[2][i];
+		double sx = s->shear[0][i], sy = s->shear[1][i];
+		double az = a2 - oz, bz = b2 - oz, cz = c2 - oz;
+		double ax = (a0 - ox) - sx * az, ay = (a1 - oy) - sy * az;
+		double bx = (b0 - ox) - sx * bz, by = (b1 - oy) - sy * bz;
+		double cx = (c0 - ox) - sx * cz, cy = (c1 - oy) - sy * cz;
+		double wa = cx * by - cy * bx, wb = ax * cy - ay * cx, wc = bx * ay - by * ax;
+		int64_t front = (wa >= 0) & (wb >= 0) & (wc >= 0);
+		int64_t back = (wa <= 0) & (wb <= 0) & (wc <= 0);
+
+		in[i] = front | back;
+	}
+	for (unsigned i = 0; i < ALD_LANES; i++)
+		bits |= (uint32_t)in[i] << i;
+	return bits;
+}
+
+/* ---- does a triangle touch a closed box? ---- */
+
+/* Is the axis (x, y, z) surely separating corners q (relative to the box's centre) from half sizes h? */
+ALD_INLINE int ald_separates(double x, double y, double z, const double q[3][3], const double h[3])
+{
+	double reach = h[0] * fabs(x) + h[1] * fabs(y) + h[2] * fabs(z);
+	double lo = ALD_INF, hi = -ALD_INF, size = reach;
+
+	for (unsigned k = 0; k < 3; k++) {
+		double s = q[k][0] * x + q[k][1] * y + q[k][2] * z;
+
+		size += fabs(q[k][0] * x) + fabs(q[k][1] * y) + fabs(q[k][2] * z);
+		lo = ald_min(s, lo);
+		hi = ald_max(s, hi);
+	}
+	size *= 16 * ALD_U;
+	return lo > reach + size || hi < -reach - size;
+}
+
+/* 0 only if they surely have no point in common, by the 13 axes; rounding errs towards 1, by some 16
+ * roundoffs of the sizes met. */
+ALD_INLINE int ald_triangle_box(const ald_vec v[3], const ald_box *b)
+{
+	double cx = b->lo.x + (b->hi.x - b->lo.x) / 2, cy = b->lo.y + (b->hi.y - b->lo.y) / 2;
+	double cz = b->lo.z + (b->hi.z - b->lo.z) / 2;
+	double far = fabs(cx) + fabs(cy) + fabs(cz);
+	double h[3], q[3][3], e[3][3];
+
+	/* Moving to the centre rounds: half sizes grow by that. */
+	for (unsigned k = 0; k < 3; k++) {
+		q[k][0] = v[k].x - cx, q[k][1] = v[k].y - cy, q[k][2] = v[k].z - cz;
+		far = ald_max(fabs(v[k].x) + fabs(v[k].y) + fabs(v[k].z), far);
+	}
+	far *= 8 * ALD_U;
+	h[0] = ald_max(b->hi.x - cx, cx - b->lo.x) + far;
+	h[1] = ald_max(b->hi.y - cy, cy - b->lo.y) + far;
+	h[2] = ald_max(b->hi.z - cz, cz - b->lo.z) + far;
+	if (ald_separates(1, 0, 0, q, h) || ald_separates(0, 1, 0, q, h) ||
+	    ald_separates(0, 0, 1, q, h))
+		return 0;
+	for (unsigned k = 0; k < 3; k++) {
+		unsigned n = k == 2 ? 0 : k + 1;
+
+		for (unsigned j = 0; j < 3; j++)
+			e[k][j] = q[n][j] - q[k][j];
+		if (ald_separates(0, -e[k][2], e[k][1], q, h) ||
+		    ald_separates(e[k][2], 0, -e[k][0], q, h) ||
+		    ald_separates(-e[k][1], e[k][0], 0, q, h))
+			return 0;
+	}
+	return !ald_separates(e[0][1] * e[1][2] - e[0][2] * e[1][1],
+			      e[0][2] * e[1][0] - e[0][0] * e[1][2],
+			      e[0][0] * e[1][1] - e[0][1] * e[1][0], q, h);
+}
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -3,8 +3,9 @@
  *
  * The inner contract of the POV-Ray scene description language reader.
  *
- * lex.c makes tokens of bytes; direct.c carries out directives and macros between them, at any token
- * position, so that whoever asks for the next token never sees one; expr.c evaluates; items (camera.c,
+ * lex.c makes tokens of bytes; direct.c, cond.c and macro.c carry out directives and macros between
+ * them, at any token position, so that whoever asks for the next token never sees one (the next token
+ * is fetched by pov_token(), not by pov_next()); expr.c evaluates; items (camera.c,
  * light.c, texture.c, object.c, mesh.c, settings.c) read blocks and write the scene. Chapters are
  * those of POV-Ray 3.7's manual.
  *
@@ -19,7 +20,7 @@
 #include "read/read.h"
 #include "scene/scene.h"
 
-struct pov; /* the parser; its fields are in internal.h, for lex.c, direct.c and expr.c only */
+struct pov; /* the parser; its fields are in internal.h, for the files of the core only */
 
 /* A scalar, vector or colour: expressions promote as the manual's 3.3.1.4 says. */
 struct pov_value {
@@ -47,6 +48,16 @@ void pov_warn(struct pov *, const struct diag_pos *, const char *fmt, ...) DIAG_
 bool pov_unsupported(struct pov *, const struct diag_pos *, const char *construct, const char *remedy);
 bool pov_failed(const struct pov *);
 bool pov_no_memory(struct pov *); /* reports; returns false */
+/* Something an item has that we cannot render. It is no error to declare that, so the item carries the
+ * first such thing, and whoever puts the item into the scene passes it to pov_lack_use(). */
+struct pov_lack {
+	const char *construct; /* NULL: nothing is lacking */
+	const char *remedy; /* may be NULL */
+	struct diag_pos pos; /* where the construct is written */
+};
+void pov_lack_note(struct pov *, struct pov_lack *, const char *construct, const char *remedy);
+void pov_lack_add(struct pov_lack *to, const struct pov_lack *from); /* keeps the first */
+bool pov_lack_use(struct pov *, const struct pov_lack *); /* pov_unsupported(), if there is one */
 /* Skip a balanced { ... } whose { is the current token, evaluating nothing but directives. */
 void pov_skip_block(struct pov *);
 /* Limits: count one more brace, list element, object ...; false: the limit was reached and reported. */
@@ -60,7 +71,8 @@ vec pov_vector(struct pov *); /* a float is promoted to <f,f,f> */
 void pov_vector2(struct pov *, double *u, double *v);
 struct pov_value pov_value(struct pov *); /* any numeric expression */
 struct rgbft pov_colour(struct pov *); /* colour, color, rgb*, srgb*, identifier, or a vector */
-char *pov_string(struct pov *); /* in the parser's arena */
+char *pov_string(struct pov *); /* in the parser's arena; literals with their escapes resolved */
+char *pov_path(struct pov *); /* the same for a file name: a backslash stays one */
 bool pov_bool(struct pov *, bool if_absent); /* optional on/off after a flag keyword */
 uint32_t pov_count(struct pov *, const char *what, uint32_t min, uint64_t max);
 void pov_comma(struct pov *);

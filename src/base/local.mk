@@ -1,9 +1,13 @@
 src_libalidade_la_SOURCES += \
 	src/base/buf.h \
+	src/base/clock.h \
 	src/base/colour.h \
+	src/base/complete.c \
 	src/base/diag.c src/base/diag.h \
+	src/base/interrupt.c src/base/interrupt.h \
 	src/base/json.c src/base/json.h \
 	src/base/mem.c src/base/mem.h \
+	src/base/options.c src/base/options.h \
 	src/base/pool.c src/base/pool.h \
 	src/base/rng.h \
 	src/base/vec.c src/base/vec.h

@@ -1,1 +1,4 @@
-src_libalidade_la_SOURCES +=
+src_libalidade_la_SOURCES += \
+	src/look/progress.c src/look/progress.h \
+	src/look/require.c src/look/require.h \
+	src/look/stats.c src/look/stats.h

@@ -1,0 +1,107 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <config.h>
+
+#include "look/require.h"
+
+#include <inttypes.h>
+#include <stdbool.h>
+
+struct features {
+	uint64_t kinds[SHAPE_KINDS], instances;
+	uint64_t triangles, vertices, smooth, mesh_bytes;
+	bool mirror, clear, refraction, fade, layered, blended;
+};
+
+static void look_at_finishes(const struct scene *s, struct features *f)
+{
+	for (uint32_t i = 0; i < s->texture_count; i++) {
+		const struct texture *t = &s->texture[i];
+
+		f->layered |= t->count > 1;
+		f->clear |= texture_translucent(t);
+		for (uint32_t l = 0; l < t->count; l++)
+			f->mirror |= rgb_max(t->layer[l].finish.reflection_max) > 0 ||
+				     rgb_max(t->layer[l].finish.reflection_min) > 0;
+	}
+	for (uint32_t i = 0; i < s->interior_count; i++) {
+		f->refraction |= s->interior[i].ior != 1;
+		f->fade |= s->interior[i].fade_power > 0;
+	}
+}
+
+static void look_at_shapes(const struct scene *s, struct features *f)
+{
+	for (uint32_t i = 0; i < s->object_count; i++)
+		f->kinds[s->object[i].kind]++;
+	for (uint32_t i = 0; i < s->mesh_count; i++) {
+		const struct mesh *m = &s->mesh[i];
+
+		f->triangles += m->triangle_count;
+		f->vertices += m->vertex_count;
+		f->smooth += m->normal ? m->smooth_count : 0;
+		f->blended |= m->textures_per_face == 3;
+		f->mesh_bytes += 24ull * m->vertex_count + 12ull * m->triangle_count +
+				 12ull * m->normal_count + (m->normal_index ? 12ull * m->smooth_count : 0) +
+				 4ull * m->triangle_count * m->textures_per_face;
+	}
+}
+
+static void print_objects(const struct scene *s, const struct features *f, FILE *out)
+{
+	static const char *const name[SHAPE_KINDS] = { "mesh", "sphere", "box", "cone or cylinder", "plane",
+						       "disc", "torus", "union" };
+
+	for (int k = 0; k < SHAPE_KINDS; k++) {
+		if (f->kinds[k])
+			fprintf(out, "  %-18s %" PRIu64 "\n", name[k], f->kinds[k]);
+	}
+	if (s->mesh_count)
+		fprintf(out,
+			"  meshes' data       %u, with %" PRIu64 " triangles (%" PRIu64 " smooth), %" PRIu64
+			" vertices\n",
+			s->mesh_count, f->triangles, f->smooth, f->vertices);
+}
+
+static void print_lights(const struct scene *s, FILE *out)
+{
+	uint32_t point = 0, spot = 0, cylinder = 0, parallel = 0, area = 0, shadowless = 0;
+
+	for (uint32_t i = 0; i < s->light_count; i++) {
+		const struct light *l = &s->light[i];
+
+		point += l->kind == LIGHT_POINT && !l->parallel;
+		spot += l->kind == LIGHT_SPOT;
+		cylinder += l->kind == LIGHT_CYLINDER;
+		parallel += l->parallel;
+		area += l->area;
+		shadowless += l->shadowless;
+	}
+	fprintf(out, "lights\n  point %u, spot %u, cylinder %u, parallel %u; of these area %u, shadowless %u\n",
+		point, spot, cylinder, parallel, area, shadowless);
+}
+
+void require_text(const struct scene *s, FILE *out)
+{
+	struct features f = { 0 };
+
+	look_at_finishes(s, &f);
+	look_at_shapes(s, &f);
+	fprintf(out, "camera\n  %s\n",
+		!s->has_camera				? "none: POV-Ray's default" :
+		s->camera.kind == CAMERA_PERSPECTIVE	? "perspective" :
+							  "orthographic");
+	fputs("objects\n", out);
+	print_objects(s, &f, out);
+	print_lights(s, out);
+	fprintf(out, "surfaces\n  textures %u, interiors %u\n", s->texture_count, s->interior_count);
+	fprintf(out, "required\n  shadows %s, mirrors %s, transparency %s, refraction %s, coloured glass %s\n",
+		s->light_count ? "yes" : "no", f.mirror ? "yes" : "no", f.clear ? "yes" : "no",
+		f.refraction ? "yes" : "no", f.fade ? "yes" : "no");
+	fprintf(out, "  layered textures %s, vertex textures %s, rays up to depth %u\n",
+		f.layered ? "yes" : "no", f.blended ? "yes" : "no", s->max_trace_level);
+	if (s->radiosity)
+		fputs("  radiosity: asked for, but not supported; it would be left out\n", out);
+	fprintf(out, "memory\n  meshes %.1f MiB\n", (double)f.mesh_bytes / 1048576);
+}

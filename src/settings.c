@@ -1,0 +1,564 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <config.h>
+
+#include "settings.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+enum {
+	KEY_ALPHA = OPTION_LONG_ONLY, KEY_AA, KEY_BITS, KEY_CAMERA_ONLY, KEY_CROP, KEY_DRY_RUN, KEY_LENIENT,
+	KEY_LIMIT, KEY_LIST_ACCELS, KEY_MEMORY, KEY_PRINT_COMPLETION, KEY_PROGRESS, KEY_STATS, KEY_TILE,
+	KEY_VERSION
+};
+
+#define AA_WORDS "none 2 3 4 pov1 pov2"
+#define LIMIT_WORDS \
+	"nesting= macro-depth= include-depth= loop-steps= string-bytes= tokens= elements= objects= seconds="
+
+static const struct option_spec alidade_option[] = {
+	{ "output", 'o', OPTION_ARG, "FILE", COMPLETE_FILE, NULL,
+	  "write the picture to FILE; its ending names the format: .png, .exr, .ppm, .pfm, or what "
+	  "OpenImageIO knows; otherwise the scene's name with .png, in the current folder",
+	  "Picture" },
+	{ "size", 's', OPTION_ARG, "WxH", COMPLETE_WORDS, "320x240 640x480 800x600 1280x720 1920x1080",
+	  "width and height in pixels; 800x600 unless an .ini file says otherwise", NULL },
+	{ "crop", KEY_CROP, OPTION_ARG, "X,Y,W,H", COMPLETE_NOTHING, NULL,
+	  "render and write only this part of the picture: left, top, width, height in pixels", NULL },
+	{ "aa", KEY_AA, OPTION_ARG, "METHOD", COMPLETE_WORDS, AA_WORDS,
+	  "anti-aliasing: none; N for N x N rays a pixel; pov1 or pov2 for POV-Ray's adaptive methods, "
+	  "with :threshold=..,depth=..,gamma=..; none is the default",
+	  NULL },
+	{ "bits", KEY_BITS, OPTION_ARG, "N", COMPLETE_WORDS, "8 16 32",
+	  "bits a channel: 8 or 16 for .png and .ppm, 16 or 32 for .exr", NULL },
+	{ "alpha", KEY_ALPHA, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
+	  "keep the alpha channel: what shows no object is transparent", NULL },
+
+	{ "accel", 'a', OPTION_ARG, "NAME", COMPLETE_ACCEL, NULL,
+	  "the acceleration structure, with its parameters: NAME:key=value,..; octree is the default",
+	  "Speed" },
+	{ "list-accels", KEY_LIST_ACCELS, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
+	  "list the accelerators that are installed, with their parameters, and exit", NULL },
+	{ "threads", 't', OPTION_ARG, "N", COMPLETE_NOTHING, NULL,
+	  "use N threads; otherwise one for each processor; the picture is the same", NULL },
+	{ "jobs", 'j', OPTION_ARG, "N", COMPLETE_NOTHING, NULL, NULL, NULL },
+	{ "memory", KEY_MEMORY, OPTION_ARG, "SIZE", COMPLETE_NOTHING, NULL,
+	  "stop with an error rather than use more than SIZE, as in 512M or 4G", NULL },
+	{ "tile", KEY_TILE, OPTION_ARG, "N", COMPLETE_NOTHING, NULL,
+	  "side of the squares that threads take in turn, in pixels", NULL },
+	{ "camera-only", KEY_CAMERA_ONLY, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
+	  "cast camera rays only and shade nothing, for counting and timing; white is a hit", NULL },
+
+	{ "include", 'L', OPTION_ARG, "DIR", COMPLETE_DIR, NULL,
+	  "look for included files in DIR too; may be given again", "Scene" },
+	{ "define", 'D', OPTION_ARG, "NAME=VALUE", COMPLETE_NOTHING, NULL,
+	  "declare NAME for the scene, a number or a string; may be given again", NULL },
+	{ "lenient", KEY_LENIENT, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
+	  "warn about what is not supported and render the rest", NULL },
+	{ "limit", KEY_LIMIT, OPTION_ARG, "NAME=N", COMPLETE_WORDS, LIMIT_WORDS,
+	  "change what a scene file may ask for: nesting, macro-depth, include-depth, loop-steps, "
+	  "string-bytes, tokens, elements, objects, seconds",
+	  NULL },
+	{ "dry-run", KEY_DRY_RUN, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
+	  "read the scene, say what it requires, and render nothing", NULL },
+
+	{ "stats", KEY_STATS, OPTION_MAYBE_ARG, "FILE", COMPLETE_FILE, NULL,
+	  "count rays, tests and hits and report them on standard error, or as JSON in FILE", "Reports" },
+	{ "progress", KEY_PROGRESS, OPTION_ARG, "HOW", COMPLETE_WORDS, "auto bar lines json none",
+	  "show progress as a bar, as lines, as JSON lines on standard output, or not; auto takes a bar "
+	  "on a terminal and lines elsewhere",
+	  NULL },
+	{ "quiet", 'q', OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
+	  "print errors only: no warnings, no progress", NULL },
+	{ "verbose", 'v', OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
+	  "print notes too; twice: everything", NULL },
+	{ "help", 'h', OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL, "print this and exit", NULL },
+	{ "version", KEY_VERSION, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
+	  "print the version and what is built in, and exit", NULL },
+	{ "print-completion", KEY_PRINT_COMPLETION, OPTION_ARG, "SHELL", COMPLETE_NOTHING, NULL, NULL, NULL },
+	{ 0 },
+};
+
+const struct option_program settings_program = {
+	.name = "alidade",
+	.operands = "SCENE",
+	.summary = "Render a POV-Ray scene file (.pov, or an .ini that names one; - is standard input)",
+	.endings = "pov ini",
+	.option = alidade_option,
+};
+
+/* struct read_limits by name. Numbers are kept within what the field holds. */
+struct limit_spec {
+	const char *name;
+	size_t offset;
+	enum { LIMIT_U32, LIMIT_U64, LIMIT_REAL } type;
+};
+#define LIMIT(name, field, type) { name, offsetof(struct read_limits, field), type }
+static const struct limit_spec limit_table[] = {
+	LIMIT("nesting", nesting, LIMIT_U32),
+	LIMIT("macro-depth", macro_depth, LIMIT_U32),
+	LIMIT("include-depth", include_depth, LIMIT_U32),
+	LIMIT("loop-steps", loop_steps, LIMIT_U64),
+	LIMIT("string-bytes", string_bytes, LIMIT_U64),
+	LIMIT("tokens", tokens, LIMIT_U64),
+	LIMIT("elements", elements, LIMIT_U64),
+	LIMIT("objects", objects, LIMIT_U64),
+	LIMIT("seconds", seconds, LIMIT_REAL),
+};
+
+void settings_init(struct settings *s, struct mem_book *book)
+{
+	memset(s, 0, sizeof(*s));
+	arena_init(&s->arena, book, "settings");
+	s->accel = "octree";
+	s->render.aa_gamma = 2.5;
+}
+
+void settings_release(struct settings *s)
+{
+	arena_release(&s->arena);
+}
+
+static enum status wrong(struct diag *d, const struct option_spec *o, const char *value, const char *want)
+{
+	return diag_fail(d, STATUS_USAGE, NULL, "--%s=%s: expected %s", o->name, value, want);
+}
+
+static enum status set_crop(struct settings *s, const struct option_spec *o, const char *value,
+			    struct diag *d)
+{
+	static const char want[] = "X,Y,W,H in pixels, as in 0,0,64,48";
+	uint32_t *to[] = { &s->render.crop_x, &s->render.crop_y, &s->render.crop_width,
+			   &s->render.crop_height };
+	const char *cursor = value;
+	struct option_pair pair;
+	uint64_t n;
+
+	for (size_t i = 0; i < 4; i++) {
+		if (!option_next_pair(&cursor, &pair) || pair.value[0] ||
+		    !option_integer(pair.key, i < 2 ? 0 : 1, SETTINGS_SIDE_MAX, &n))
+			return wrong(d, o, value, want);
+		*to[i] = (uint32_t)n;
+	}
+	s->given |= GIVEN_CROP;
+	return *cursor ? wrong(d, o, value, want) : STATUS_OK;
+}
+
+static enum status set_aa_pair(struct settings *s, const struct option_spec *o,
+			       const struct option_pair *pair, struct diag *d)
+{
+	uint64_t n;
+
+	if (!strcmp(pair->key, "threshold")) {
+		if (!option_real(pair->value, 0, 3, &s->render.aa_threshold))
+			return wrong(d, o, pair->value, "threshold=0 to 3");
+	} else if (!strcmp(pair->key, "depth")) {
+		if (!option_integer(pair->value, 1, 9, &n))
+			return wrong(d, o, pair->value, "depth=1 to 9");
+		s->render.aa_n = (uint32_t)n;
+	} else if (!strcmp(pair->key, "gamma")) {
+		if (!option_real(pair->value, 0.1, 10, &s->render.aa_gamma))
+			return wrong(d, o, pair->value, "gamma=0.1 to 10");
+	} else {
+		return wrong(d, o, pair->key, "threshold, depth or gamma");
+	}
+	return STATUS_OK;
+}
+
+/* POV-Ray's own defaults for its two methods (manual 3.2.8.7). */
+static enum status set_aa(struct settings *s, const struct option_spec *o, const char *value, struct diag *d)
+{
+	size_t name = strcspn(value, ":");
+	const char *cursor = value[name] ? value + name + 1 : NULL;
+	struct option_pair pair;
+	enum status st;
+	uint64_t n;
+
+	s->given |= GIVEN_AA;
+	s->render.aa_gamma = 2.5;
+	s->render.aa_threshold = 0.3;
+	s->render.aa_n = 3;
+	if (!strcmp(value, "none")) {
+		s->render.aa = RENDER_AA_NONE;
+	} else if (option_integer(value, 1, 64, &n)) {
+		s->render.aa = n > 1 ? RENDER_AA_GRID : RENDER_AA_NONE;
+		s->render.aa_n = (uint32_t)n;
+	} else if (name == 4 && (!strncmp(value, "pov1", 4) || !strncmp(value, "pov2", 4))) {
+		s->render.aa = value[3] == '1' ? RENDER_AA_POV1 : RENDER_AA_POV2;
+	} else {
+		return wrong(d, o, value, "none, a number from 1 to 64, pov1 or pov2");
+	}
+	while (option_next_pair(&cursor, &pair)) {
+		st = set_aa_pair(s, o, &pair, d);
+		if (st)
+			return st;
+	}
+	return STATUS_OK;
+}
+
+static enum status set_limit(struct settings *s, const struct option_spec *o, const char *value,
+			     struct diag *d)
+{
+	const char *cursor = value;
+	struct option_pair pair;
+	uint64_t n;
+	double x;
+
+	option_next_pair(&cursor, &pair);
+	for (size_t i = 0; i < sizeof(limit_table) / sizeof(*limit_table); i++) {
+		const struct limit_spec *l = &limit_table[i];
+		char *field = (char *)&s->read.limits + l->offset;
+
+		if (strcmp(pair.key, l->name) != 0)
+			continue;
+		if (l->type == LIMIT_REAL && option_real(pair.value, 0, 1e9, &x))
+			memcpy(field, &x, sizeof(x));
+		else if (l->type == LIMIT_U64 && option_integer(pair.value, 1, UINT64_MAX, &n))
+			memcpy(field, &n, sizeof(n));
+		else if (l->type == LIMIT_U32 && option_integer(pair.value, 1, UINT32_MAX, &n))
+			memcpy(field, &(uint32_t){ (uint32_t)n }, sizeof(uint32_t));
+		else
+			return wrong(d, o, value, "a number after the =");
+		return STATUS_OK;
+	}
+	return wrong(d, o, value, "NAME=N with one of the names that --help lists");
+}
+
+/* The lists may grow with every -L and -D; they are short, so each time a new one is made. */
+static enum status add_dir(struct settings *s, const char *value, struct diag *d)
+{
+	uint32_t n = s->read.include_dir_count;
+	const char **list = arena_alloc(&s->arena, (n + 1) * sizeof(*list));
+
+	if (!list)
+		return diag_no_memory(d, "the list of folders", (n + 1) * sizeof(*list));
+	if (n)
+		memcpy(list, s->read.include_dirs, n * sizeof(*list));
+	list[n] = value;
+	s->read.include_dirs = list;
+	s->read.include_dir_count = n + 1;
+	return STATUS_OK;
+}
+
+static bool is_name(const char *s, size_t length)
+{
+	if (!length || !(isalpha((unsigned char)*s) || *s == '_'))
+		return false;
+	for (size_t i = 1; i < length; i++) {
+		if (!(isalnum((unsigned char)s[i]) || s[i] == '_'))
+			return false;
+	}
+	return true;
+}
+
+/* A value that is no number is a string, and gets the quotes that the shell has eaten. */
+static enum status add_define(struct settings *s, const struct option_spec *o, const char *value,
+			      struct diag *d)
+{
+	uint32_t n = s->read.define_count;
+	struct read_define *list = arena_alloc(&s->arena, (n + 1) * sizeof(*list));
+	const char *equals = strchr(value, '=');
+	size_t room = strlen(value) + 3;
+	char *text = arena_alloc(&s->arena, room);
+	char *name = arena_strdup(&s->arena, value);
+	double x;
+
+	if (!list || !text || !name)
+		return diag_no_memory(d, "the list of definitions", (n + 1) * sizeof(*list) + room);
+	if (!equals || !is_name(value, (size_t)(equals - value)))
+		return wrong(d, o, value, "NAME=VALUE, NAME of letters, digits and _");
+	name[equals - value] = 0;
+	if (equals[1] == '"' || option_real(equals + 1, -HUGE_VAL, HUGE_VAL, &x))
+		snprintf(text, room, "%s", equals + 1);
+	else
+		snprintf(text, room, "\"%s\"", equals + 1);
+	if (n)
+		memcpy(list, s->read.defines, n * sizeof(*list));
+	list[n] = (struct read_define){ name, text };
+	s->read.defines = list;
+	s->read.define_count = n + 1;
+	return STATUS_OK;
+}
+
+static enum status set_number(const struct option_spec *o, const char *value, uint32_t min, uint32_t max,
+			      uint32_t *out, struct diag *d)
+{
+	uint64_t n;
+
+	if (!option_integer(value, min, max, &n))
+		return diag_fail(d, STATUS_USAGE, NULL, "--%s=%s: expected a number from %u to %u",
+				 o->name, value, min, max);
+	*out = (uint32_t)n;
+	return STATUS_OK;
+}
+
+static enum status set_output(struct settings *s, const char *value, struct diag *d)
+{
+	if (!strcmp(value, "-"))
+		return diag_fail(d, STATUS_USAGE, NULL,
+				 "--output=-: a picture needs a file's name, whose ending is its format");
+	s->output = arena_strdup(&s->arena, value);
+	s->given |= GIVEN_OUTPUT;
+	return s->output ? STATUS_OK : diag_no_memory(d, "the output's name", strlen(value));
+}
+
+static enum status set_progress(struct settings *s, const struct option_spec *o, const char *value,
+				struct diag *d)
+{
+	static const char *const mode[] = { "auto", "bar", "lines", "json", "none" };
+
+	for (int i = 0; i < 5; i++) {
+		if (!strcmp(value, mode[i])) {
+			s->progress = (enum progress_mode)i;
+			return STATUS_OK;
+		}
+	}
+	return wrong(d, o, value, o->words);
+}
+
+static enum status set_bits(struct settings *s, const struct option_spec *o, const char *value, struct diag *d)
+{
+	enum status st = set_number(o, value, 8, 32, &s->bits, d);
+
+	if (!st && s->bits != 8 && s->bits != 16 && s->bits != 32)
+		return wrong(d, o, value, "8, 16 or 32");
+	return st;
+}
+
+static enum status set_flag(struct settings *s, const struct option_spec *o, const char *value)
+{
+	switch (o->key) {
+	case KEY_ALPHA:
+		s->alpha = true;
+		s->given |= GIVEN_ALPHA;
+		break;
+	case KEY_LIST_ACCELS:
+		s->action = ACTION_LIST_ACCELS;
+		break;
+	case KEY_CAMERA_ONLY:
+		s->render.camera_only = true;
+		break;
+	case KEY_LENIENT:
+		s->read.lenient = true;
+		break;
+	case KEY_DRY_RUN:
+		s->dry_run = true;
+		break;
+	case KEY_STATS:
+		s->stats = true;
+		s->stats_file = value;
+		break;
+	case 'q':
+		s->verbosity = -1;
+		break;
+	case 'v':
+		s->verbosity = s->verbosity < 0 ? 1 : s->verbosity + 1;
+		break;
+	case 'h':
+		s->action = ACTION_HELP;
+		break;
+	case KEY_VERSION:
+		s->action = ACTION_VERSION;
+		break;
+	case KEY_PRINT_COMPLETION:
+		s->action = ACTION_COMPLETION;
+		s->shell = value;
+		break;
+	}
+	return STATUS_OK;
+}
+
+static enum status set_option(void *arg, const struct option_spec *o, const char *value, struct diag *d)
+{
+	struct settings *s = arg;
+
+	switch (o->key) {
+	case 'o':
+		return set_output(s, value, d);
+	case 's':
+		if (!option_extent(value, SETTINGS_SIDE_MAX, &s->render.width, &s->render.height))
+			return wrong(d, o, value, "WIDTHxHEIGHT in pixels, as in 640x480");
+		s->given |= GIVEN_SIZE;
+		return STATUS_OK;
+	case KEY_CROP:
+		return set_crop(s, o, value, d);
+	case KEY_AA:
+		return set_aa(s, o, value, d);
+	case KEY_BITS:
+		return set_bits(s, o, value, d);
+	case 'a':
+		s->accel = value;
+		return STATUS_OK;
+	case 't':
+	case 'j':
+		return set_number(o, value, 1, 1024, &s->threads, d);
+	case KEY_MEMORY:
+		return option_bytes(value, &s->memory) ? STATUS_OK
+						       : wrong(d, o, value, "a size, as in 512M or 4G");
+	case KEY_TILE:
+		return set_number(o, value, 1, 4096, &s->render.tile, d);
+	case 'L':
+		return add_dir(s, value, d);
+	case 'D':
+		return add_define(s, o, value, d);
+	case KEY_LIMIT:
+		return set_limit(s, o, value, d);
+	case KEY_PROGRESS:
+		return set_progress(s, o, value, d);
+	default:
+		return set_flag(s, o, value);
+	}
+}
+
+enum status settings_parse(struct settings *s, int argc, char **argv, struct diag *d)
+{
+	int operand;
+	enum status st = options_parse(&settings_program, argc, argv, set_option, s, &operand, d);
+
+	if (st || s->action != ACTION_RENDER)
+		return st;
+	if (operand >= argc)
+		return diag_fail(d, STATUS_USAGE, NULL, "no scene given; usage: alidade [option ...] SCENE");
+	if (operand + 1 < argc)
+		return diag_fail(d, STATUS_USAGE, NULL, "one scene at a time: \"%s\" and \"%s\" were given",
+				 argv[operand], argv[operand + 1]);
+	s->scene = argv[operand];
+	if (!*s->scene)
+		return diag_fail(d, STATUS_USAGE, NULL, "the scene's name is empty");
+	s->read.width = s->render.width;
+	s->read.height = s->render.height;
+	s->read.quiet_debug = s->verbosity < 0;
+	if (s->verbosity < 0)
+		s->progress = PROGRESS_NONE;
+	return STATUS_OK;
+}
+
+/* The last part of path, with ending in place of its own. */
+static enum status name_after(struct settings *s, const char *path, const char *ending, struct diag *d)
+{
+	const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path, *dot;
+	size_t length, room;
+
+	if (!strcmp(path, "-"))
+		base = "stdin";
+	dot = strrchr(base, '.');
+	length = dot && dot != base ? (size_t)(dot - base) : strlen(base);
+	room = length + strlen(ending) + 1;
+	s->output = arena_alloc(&s->arena, room);
+	if (!s->output)
+		return diag_no_memory(d, "the output's name", room);
+	snprintf(s->output, room, "%.*s%s", (int)length, base, ending);
+	return STATUS_OK;
+}
+
+/* The picture's name from an .ini; POV-Ray adds the ending where there is none. */
+static enum status take_output(struct settings *s, const char *name, struct diag *d)
+{
+	const char *slash = strrchr(name, '/'), *base = slash ? slash + 1 : name;
+	size_t room = strlen(name) + 5;
+
+	s->output = arena_alloc(&s->arena, room);
+	if (!s->output)
+		return diag_no_memory(d, "the output's name", room);
+	snprintf(s->output, room, "%s%s", name, strrchr(base, '.') ? "" : ".png");
+	return STATUS_OK;
+}
+
+/* Rows and columns as POV-Ray takes them (measured): the first is 1; below 1 they are shares of the
+ * side, rounded down; the end is inclusive, and as a share stands for the pixel before it. */
+static bool job_span(const struct read_job *job, unsigned start_bit, double start, double end,
+		     uint32_t side, uint32_t *from, uint32_t *length)
+{
+	bool has_start = job->set & start_bit, has_end = job->set & (start_bit << 1);
+	double a = !has_start ? 0 : start < 1 ? floor(start * side) : floor(start) - 1;
+	double b = !has_end ? side : end <= 1 ? floor(end * side) : floor(end);
+
+	if (!(a >= 0 && b <= side && a < b))
+		return false;
+	*from = (uint32_t)a;
+	*length = (uint32_t)(b - a);
+	return true;
+}
+
+static enum status take_crop(struct settings *s, const struct read_job *job, struct diag *d)
+{
+	struct render_options *r = &s->render;
+
+	if (!(job->set & (READ_JOB_START_ROW | READ_JOB_END_ROW | READ_JOB_START_COLUMN |
+			  READ_JOB_END_COLUMN)))
+		return STATUS_OK;
+	if (!job_span(job, READ_JOB_START_COLUMN, job->start_column, job->end_column, r->width,
+		      &r->crop_x, &r->crop_width) ||
+	    !job_span(job, READ_JOB_START_ROW, job->start_row, job->end_row, r->height, &r->crop_y,
+		      &r->crop_height))
+		return diag_fail(d, STATUS_SCENE, NULL,
+				 "%s: Start_ and End_Row and _Column leave nothing of a picture of %ux%u",
+				 s->scene, r->width, r->height);
+	return STATUS_OK;
+}
+
+static void take_aa(struct settings *s, const struct read_job *job)
+{
+	struct render_options *r = &s->render;
+
+	r->aa = RENDER_AA_NONE;
+	if (!(job->set & READ_JOB_AA) || !job->aa)
+		return;
+	r->aa = job->set & READ_JOB_AA_METHOD && job->aa_method == 2 ? RENDER_AA_POV2 : RENDER_AA_POV1;
+	r->aa_n = job->set & READ_JOB_AA_DEPTH ? job->aa_depth : 3;
+	r->aa_threshold = job->set & READ_JOB_AA_THRESHOLD ? job->aa_threshold : 0.3;
+	r->aa_gamma = job->set & READ_JOB_AA_GAMMA ? job->aa_gamma : 2.5;
+}
+
+enum status settings_finish(struct settings *s, const struct read_job *job, struct diag *d)
+{
+	struct render_options *r = &s->render;
+	enum status st = STATUS_OK;
+
+	if (!(s->given & GIVEN_SIZE)) {
+		r->width = job->set & READ_JOB_WIDTH ? job->width : SETTINGS_WIDTH;
+		r->height = job->set & READ_JOB_HEIGHT ? job->height : SETTINGS_HEIGHT;
+	}
+	if (!(s->given & GIVEN_CROP))
+		st = take_crop(s, job, d);
+	if (!(s->given & GIVEN_AA))
+		take_aa(s, job);
+	if (!(s->given & GIVEN_ALPHA) && job->set & READ_JOB_ALPHA)
+		s->alpha = job->alpha;
+	if (!st && !s->output && job->set & READ_JOB_OUTPUT && job->output && *job->output)
+		st = take_output(s, job->output, d);
+	if (!st && !s->output)
+		st = name_after(s, s->scene, ".png", d);
+	if (st)
+		return st;
+	if (r->crop_width && (r->crop_x >= r->width || r->crop_width > r->width - r->crop_x ||
+			      r->crop_y >= r->height || r->crop_height > r->height - r->crop_y))
+		return diag_fail(d, STATUS_USAGE, NULL,
+				 "--crop=%u,%u,%u,%u reaches out of the picture of %ux%u", r->crop_x,
+				 r->crop_y, r->crop_width, r->crop_height, r->width, r->height);
+	return STATUS_OK;
+}
+
+void settings_describe(const struct settings *s, char *out, size_t size)
+{
+	static const char *const aa[] = { "none", "grid", "pov1", "pov2" };
+	const struct render_options *r = &s->render;
+	int n = snprintf(out, size, "%ux%u", r->width, r->height);
+
+	if (r->crop_width && n >= 0 && (size_t)n < size)
+		n += snprintf(out + n, size - (size_t)n, " crop %u,%u,%u,%u", r->crop_x, r->crop_y,
+			      r->crop_width, r->crop_height);
+	if (n >= 0 && (size_t)n < size)
+		n += snprintf(out + n, size - (size_t)n, " aa %s", aa[r->aa]);
+	if (r->aa != RENDER_AA_NONE && n >= 0 && (size_t)n < size)
+		n += snprintf(out + n, size - (size_t)n, ":depth=%u", r->aa_n);
+	if (r->aa > RENDER_AA_GRID && n >= 0 && (size_t)n < size)
+		n += snprintf(out + n, size - (size_t)n, ",threshold=%g,gamma=%g", r->aa_threshold,
+			      r->aa_gamma);
+	if (r->camera_only && n >= 0 && (size_t)n < size)
+		snprintf(out + n, size - (size_t)n, " camera only");
+}

@@ -1,1 +1,1 @@
-src_libalidade_la_SOURCES +=
+src_libalidade_la_SOURCES += src/film/tone.c src/film/tone.h

@@ -1,1 +1,6 @@
-src_libalidade_la_SOURCES +=
+src_libalidade_la_SOURCES += \
+	src/render/aa.c src/render/aa.h \
+	src/render/fold.c src/render/fold.h \
+	src/render/render.h \
+	src/render/schedule.c \
+	src/render/wave.c src/render/wave.h

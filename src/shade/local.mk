@@ -1,1 +1,11 @@
-src_libalidade_la_SOURCES +=
+src_libalidade_la_SOURCES += \
+	src/shade/camera.c src/shade/camera.h \
+	src/shade/light.c src/shade/light.h \
+	src/shade/pov/finish.c src/shade/pov/finish.h \
+	src/shade/pov/interior.c src/shade/pov/interior.h \
+	src/shade/pov/lights.c \
+	src/shade/pov/shadow.c src/shade/pov/shadow.h \
+	src/shade/pov/spawn.c \
+	src/shade/pov/texture.c \
+	src/shade/shade.c src/shade/shade.h \
+	src/shade/tree.c src/shade/tree.h

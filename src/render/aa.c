@@ -1,0 +1,251 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Anti-aliasing as samplers (POV-Ray's manual 3.2.8.7).
+ *
+ * All places lie on a fine grid, with div steps a pixel, and each is traced once a tile. The adaptive
+ * methods work in rounds: what is known decides which places are asked for next, until nothing more is
+ * wanted. A place's colour does not depend on the tile, so neither does the picture. (POV-Ray's method 1
+ * compares with neighbours that may already be averages, which depends on its blocks; here all are
+ * compared by their first sample.)
+ */
+#include "render/aa.h"
+
+#define UNKNOWN UINT32_MAX
+
+/* The fine grid of a tile: map[] holds, for each place, its index in w->sample. */
+struct grid {
+	struct worker *w;
+	const struct aa_tile *tile;
+	uint32_t div; /* places a pixel side */
+	int32_t margin; /* pixels around the tile */
+	double shift; /* of place 0 from the pixel's left edge, in places */
+	uint32_t columns, rows;
+	uint32_t asked; /* samples traced so far */
+};
+
+static bool grid_init(struct grid *g, struct worker *w, const struct aa_tile *tile, uint32_t div,
+		      uint32_t margin, double shift)
+{
+	uint64_t cells;
+
+	*g = (struct grid){ .w = w, .tile = tile, .div = div, .margin = (int32_t)margin, .shift = shift };
+	g->columns = (tile->width + 2 * margin) * div + 1;
+	g->rows = (tile->height + 2 * margin) * div + 1;
+	cells = (uint64_t)g->columns * g->rows;
+	w->map.size = sizeof(uint32_t);
+	w->map.count = 0;
+	if (cells > UINT32_MAX / 2 ||
+	    !buf_reserve(&w->map, w->tree.book, "render", (uint32_t)cells))
+		return false;
+	for (uint64_t i = 0; i < cells; i++)
+		*BUF_AT(&w->map, uint32_t, i) = UNKNOWN;
+	w->sample.count = 0;
+	return true;
+}
+
+/* The sample at place (x, y), in places from the tile's own corner (may be negative, in the margin); NULL:
+ * it is asked for, and known after grid_trace(). */
+static struct sample *grid_at(struct grid *g, int32_t x, int32_t y)
+{
+	int32_t off = g->margin * (int32_t)g->div;
+	uint32_t *cell = BUF_AT(&g->w->map, uint32_t,
+				(size_t)(uint32_t)(y + off) * g->columns + (uint32_t)(x + off));
+	struct worker *w = g->w;
+
+	if (*cell == UNKNOWN) {
+		uint32_t i = tree_push(&w->tree, &w->sample, 1);
+
+		if (i == TREE_NONE)
+			return NULL;
+		*BUF_AT(&w->sample, struct sample, i) = (struct sample){
+			.x = g->tile->x + (x + g->shift) / g->div,
+			.y = g->tile->y + (y + g->shift) / g->div,
+		};
+		*cell = i;
+	}
+	return *cell < g->asked ? BUF_AT(&w->sample, struct sample, *cell) : NULL;
+}
+
+/* Trace what was asked for. *more: there was something. */
+static bool grid_trace(struct grid *g, bool *more)
+{
+	uint32_t n = g->w->sample.count - g->asked;
+
+	*more = n > 0;
+	if (n && !wave_trace(g->w, g->asked, n))
+		return false;
+	g->asked += n;
+	return !g->w->tree.no_memory;
+}
+
+static bool sample_finite(const struct sample *s)
+{
+	return isfinite(s->colour.r) && isfinite(s->colour.g) && isfinite(s->colour.b) &&
+	       isfinite(s->transmit);
+}
+
+static void pixel_add(struct aa_pixel *p, const struct sample *s, double weight)
+{
+	if (!sample_finite(s)) {
+		p->finite = false;
+		return;
+	}
+	p->colour = rgb_add(p->colour, rgb_scale(s->colour, weight));
+	p->transmit += s->transmit * weight;
+}
+
+static double encode(double c, double gamma)
+{
+	return c > 0 ? pow(c, 1 / gamma) : 0;
+}
+
+static double difference(const struct sample *a, const struct sample *b, double gamma)
+{
+	return fabs(encode(a->colour.r, gamma) - encode(b->colour.r, gamma)) +
+	       fabs(encode(a->colour.g, gamma) - encode(b->colour.g, gamma)) +
+	       fabs(encode(a->colour.b, gamma) - encode(b->colour.b, gamma)) +
+	       fabs(a->transmit - b->transmit);
+}
+
+/* n x n centres of equal squares; n = 1 is no anti-aliasing. */
+static bool plain(struct worker *w, const struct aa_tile *tile, uint32_t n, struct aa_pixel *pixel)
+{
+	struct grid g;
+	bool more;
+
+	if (!grid_init(&g, w, tile, n, 0, 0.5))
+		return false;
+	for (int pass = 0; pass < 2; pass++) {
+		for (uint32_t y = 0; y < tile->height * n; y++) {
+			for (uint32_t x = 0; x < tile->width * n; x++) {
+				const struct sample *s = grid_at(&g, (int32_t)x, (int32_t)y);
+
+				if (pass && s)
+					pixel_add(&pixel[y / n * tile->width + x / n], s,
+						  1.0 / ((double)n * n));
+			}
+		}
+		if (!pass && !grid_trace(&g, &more))
+			return false;
+	}
+	return true;
+}
+
+/* Method 1. Places: the centre of a pixel is at div / 2; div is 2 n, so that sub-pixel centres are on the
+ * grid too. */
+static bool unlike(struct grid *g, int32_t x, int32_t y, int32_t dx, int32_t dy, double threshold,
+		   double gamma)
+{
+	int32_t d = (int32_t)g->div, half = d / 2;
+	const struct sample *a = grid_at(g, x * d + half, y * d + half);
+	const struct sample *b = grid_at(g, (x + dx) * d + half, (y + dy) * d + half);
+
+	/* grid_at() may have moved the samples. */
+	a = grid_at(g, x * d + half, y * d + half);
+	return a && b && difference(a, b, gamma) >= threshold;
+}
+
+static void pov1_pixel(struct grid *g, int32_t x, int32_t y, const struct render_options *o,
+		       struct aa_pixel *out)
+{
+	int32_t d = (int32_t)g->div, n = (int32_t)o->aa_n, step = d / n;
+	double weight = 1;
+	bool refine = false;
+	const struct sample *s;
+
+	refine |= unlike(g, x, y, -1, 0, o->aa_threshold, o->aa_gamma);
+	refine |= unlike(g, x, y, 1, 0, o->aa_threshold, o->aa_gamma);
+	refine |= unlike(g, x, y, 0, -1, o->aa_threshold, o->aa_gamma);
+	refine |= unlike(g, x, y, 0, 1, o->aa_threshold, o->aa_gamma);
+	if (refine)
+		weight = 1 / ((double)n * n + 1);
+	*out = (struct aa_pixel){ .finite = true };
+	s = grid_at(g, x * d + d / 2, y * d + d / 2);
+	if (s)
+		pixel_add(out, s, weight);
+	for (int32_t i = 0; refine && i < n * n; i++) {
+		s = grid_at(g, x * d + i % n * step + step / 2, y * d + i / n * step + step / 2);
+		if (s)
+			pixel_add(out, s, weight);
+	}
+}
+
+/* Method 2: div = 2^depth places a pixel, its corners on the grid. */
+static struct aa_pixel pov2_square(struct grid *g, int32_t x, int32_t y, int32_t size, uint32_t level,
+				   const struct render_options *o)
+{
+	const struct sample *c[4];
+	struct aa_pixel out = { .finite = true };
+	bool known = true, refine = false;
+
+	for (int i = 0; i < 4; i++)
+		known &= grid_at(g, x + (i & 1 ? size : 0), y + (i & 2 ? size : 0)) != NULL;
+	if (!known)
+		return out;
+	for (int i = 0; i < 4; i++)
+		c[i] = grid_at(g, x + (i & 1 ? size : 0), y + (i & 2 ? size : 0));
+	for (int i = 0; i < 4 && level; i++) {
+		for (int j = i + 1; j < 4; j++)
+			refine |= difference(c[i], c[j], o->aa_gamma) >= o->aa_threshold;
+	}
+	if (!refine) {
+		for (int i = 0; i < 4; i++)
+			pixel_add(&out, c[i], 0.25);
+		return out;
+	}
+	size /= 2;
+	for (int i = 0; i < 4; i++) {
+		struct aa_pixel q = pov2_square(g, x + (i & 1 ? size : 0), y + (i & 2 ? size : 0), size,
+						level - 1, o);
+
+		out.colour = rgb_add(out.colour, rgb_scale(q.colour, 0.25));
+		out.transmit += 0.25 * q.transmit;
+		out.finite &= q.finite;
+	}
+	return out;
+}
+
+/* Rounds until nothing more is asked for. */
+static bool adaptive(struct worker *w, const struct aa_tile *tile, struct aa_pixel *pixel)
+{
+	const struct render_options *o = w->options;
+	bool second = o->aa == RENDER_AA_POV2, more = true;
+	uint32_t div = second ? 1u << o->aa_n : 2 * o->aa_n;
+	struct grid g;
+
+	if (!grid_init(&g, w, tile, div, second ? 0 : 1, 0))
+		return false;
+	while (more) {
+		for (uint32_t i = 0; i < tile->width * tile->height; i++) {
+			int32_t x = (int32_t)(i % tile->width), y = (int32_t)(i / tile->width);
+
+			if (second)
+				pixel[i] = pov2_square(&g, x * (int32_t)div, y * (int32_t)div,
+						       (int32_t)div, o->aa_n - 1, o);
+			else
+				pov1_pixel(&g, x, y, o, &pixel[i]);
+		}
+		if (!grid_trace(&g, &more))
+			return false;
+	}
+	return true;
+}
+
+bool aa_render(struct worker *w, const struct aa_tile *tile, struct aa_pixel *pixel)
+{
+	const struct render_options *o = w->options;
+
+	for (uint32_t i = 0; i < tile->width * tile->height; i++)
+		pixel[i] = (struct aa_pixel){ .finite = true };
+	switch (o->aa) {
+	case RENDER_AA_GRID:
+		return plain(w, tile, o->aa_n, pixel);
+	case RENDER_AA_POV1:
+	case RENDER_AA_POV2:
+		return adaptive(w, tile, pixel);
+	case RENDER_AA_NONE:
+		break;
+	}
+	return plain(w, tile, 1, pixel);
+}

@@ -1,0 +1,257 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Tiles over the thread pool, and what they bring into the picture.
+ */
+#include <pthread.h>
+#include <stdatomic.h>
+#include <string.h>
+#include <time.h>
+
+#include "film/tone.h"
+#include "render/aa.h"
+#include "render/render.h"
+
+#define TILE 32
+#define TILE_MAX 256
+#define AA_MAX 16
+#define AA_DEPTH_MAX 9 /* POV-Ray's own bound */
+
+struct job {
+	struct render_options whole; /* with defaults filled in */
+	struct shader shader;
+	struct worker *worker;
+	struct aa_pixel **pixel; /* a tile of them a thread */
+	struct image *image;
+	uint32_t across;
+	atomic_bool stopped, no_memory;
+	pthread_mutex_t lock; /* of what follows, and progress() */
+	uint64_t done;
+	struct render_counts *counts;
+};
+
+static struct aa_tile tile_at(const struct job *j, uint32_t i)
+{
+	const struct render_options *o = &j->whole;
+	uint32_t x = i % j->across * o->tile, y = i / j->across * o->tile;
+	uint32_t w = o->crop_width - x, h = o->crop_height - y;
+
+	return (struct aa_tile){ .x = o->crop_x + x,
+				 .y = o->crop_y + y,
+				 .width = w < o->tile ? w : o->tile,
+				 .height = h < o->tile ? h : o->tile };
+}
+
+static void put_pixel(struct job *j, uint32_t x, uint32_t y, const struct aa_pixel *p)
+{
+	float *out = j->image->pixel + ((size_t)y * j->image->width + x) * 4;
+	double gamma = j->shader.scene->assumed_gamma;
+
+	out[0] = (float)tone_linear(p->colour.r, gamma);
+	out[1] = (float)tone_linear(p->colour.g, gamma);
+	out[2] = (float)tone_linear(p->colour.b, gamma);
+	out[3] = (float)(1 - p->transmit);
+}
+
+/* Float has a smaller range than double: what overflows is not finite either. */
+static bool stored_finite(const struct job *j, uint32_t x, uint32_t y)
+{
+	float *out = j->image->pixel + ((size_t)y * j->image->width + x) * 4;
+
+	for (int i = 0; i < 4; i++) {
+		if (!isfinite(out[i])) {
+			memset(out, 0, 4 * sizeof(*out));
+			return false;
+		}
+	}
+	return true;
+}
+
+/* Under the lock. */
+static void note_nonfinite(struct render_counts *c, uint32_t x, uint32_t y)
+{
+	if (!c->nonfinite || y < c->nonfinite_y || (y == c->nonfinite_y && x < c->nonfinite_x)) {
+		c->nonfinite_x = x;
+		c->nonfinite_y = y;
+	}
+	c->nonfinite++;
+}
+
+static void finish_tile(struct job *j, const struct aa_tile *t, const struct aa_pixel *pixel)
+{
+	const struct render_options *o = &j->whole;
+
+	pthread_mutex_lock(&j->lock);
+	for (uint32_t y = 0; y < t->height; y++) {
+		for (uint32_t x = 0; x < t->width; x++) {
+			const struct aa_pixel *p = &pixel[y * t->width + x];
+			uint32_t at_x = t->x - o->crop_x + x, at_y = t->y - o->crop_y + y;
+
+			put_pixel(j, at_x, at_y, p);
+			if (!stored_finite(j, at_x, at_y) || !p->finite)
+				note_nonfinite(j->counts, t->x + x, t->y + y);
+		}
+	}
+	j->done += (uint64_t)t->width * t->height;
+	if (o->progress)
+		o->progress(o->arg, j->done, (uint64_t)o->crop_width * o->crop_height);
+	pthread_mutex_unlock(&j->lock);
+}
+
+static void render_tile(void *arg, uint32_t i, uint32_t thread)
+{
+	struct job *j = arg;
+	struct aa_tile t = tile_at(j, i);
+
+	if (atomic_load(&j->stopped) || atomic_load(&j->no_memory))
+		return;
+	if (j->whole.stop && j->whole.stop(j->whole.arg)) {
+		atomic_store(&j->stopped, true);
+		return;
+	}
+	if (!aa_render(&j->worker[thread], &t, j->pixel[thread])) {
+		atomic_store(&j->no_memory, true);
+		return;
+	}
+	finish_tile(j, &t, j->pixel[thread]);
+}
+
+static enum status check(const struct render_options *o, struct diag *d)
+{
+	if (!o->width || !o->height)
+		return diag_fail(d, STATUS_USAGE, NULL, "a picture of %u x %u pixels has none", o->width,
+				 o->height);
+	if (o->crop_width && ((uint64_t)o->crop_x + o->crop_width > o->width ||
+			      (uint64_t)o->crop_y + o->crop_height > o->height || !o->crop_height))
+		return diag_fail(d, STATUS_USAGE, NULL,
+				 "the crop %u x %u at %u,%u is not within the picture of %u x %u",
+				 o->crop_width, o->crop_height, o->crop_x, o->crop_y, o->width,
+				 o->height);
+	if (o->tile > TILE_MAX)
+		return diag_fail(d, STATUS_USAGE, NULL, "a tile of %u pixels is over the limit of %d",
+				 o->tile, TILE_MAX);
+	if (o->aa != RENDER_AA_NONE && (o->aa_n < 1 || o->aa_n > AA_MAX))
+		return diag_fail(d, STATUS_USAGE, NULL, "anti-aliasing %u is not within 1 to %d", o->aa_n,
+				 AA_MAX);
+	if (o->aa == RENDER_AA_POV2 && o->aa_n > AA_DEPTH_MAX)
+		return diag_fail(d, STATUS_USAGE, NULL, "anti-aliasing depth %u is over %d", o->aa_n,
+				 AA_DEPTH_MAX);
+	return STATUS_OK;
+}
+
+static bool make_workers(struct job *j, uint32_t threads, struct mem_book *book)
+{
+	size_t pixels = (size_t)j->whole.tile * j->whole.tile;
+
+	j->worker = mem_zalloc(book, "render", threads * sizeof(*j->worker));
+	j->pixel = mem_zalloc(book, "render", threads * sizeof(*j->pixel));
+	if (!j->worker || !j->pixel)
+		return false;
+	for (uint32_t i = 0; i < threads; i++) {
+		struct worker *w = &j->worker[i];
+
+		w->shader = &j->shader;
+		w->options = &j->whole;
+		w->thread = i;
+		w->sample.size = sizeof(struct sample);
+		tree_init(&w->tree, book);
+		j->pixel[i] = mem_alloc(book, "render", pixels * sizeof(**j->pixel));
+		if (!j->pixel[i])
+			return false;
+	}
+	return true;
+}
+
+static void free_workers(struct job *j, uint32_t threads)
+{
+	for (uint32_t i = 0; i < threads && j->worker; i++) {
+		tree_release(&j->worker[i].tree);
+		buf_release(&j->worker[i].sample);
+		buf_release(&j->worker[i].map);
+	}
+	for (uint32_t i = 0; i < threads && j->pixel; i++)
+		mem_free(j->pixel[i]);
+	mem_free(j->worker);
+	mem_free(j->pixel);
+}
+
+static void sum_counts(const struct job *j, uint32_t threads)
+{
+	for (uint32_t i = 0; i < threads; i++) {
+		const struct render_counts *c = &j->worker[i].counts;
+
+		for (int k = 0; k < RENDER_RAY_KINDS; k++) {
+			j->counts->cast[k] += c->cast[k];
+			j->counts->hit[k] += c->hit[k];
+		}
+		j->counts->samples += c->samples;
+	}
+	j->counts->pixels = j->done;
+}
+
+static double seconds(void)
+{
+	struct timespec t;
+
+	clock_gettime(CLOCK_MONOTONIC, &t);
+	return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void fill_defaults(struct render_options *o)
+{
+	if (!o->crop_width) {
+		o->crop_x = o->crop_y = 0;
+		o->crop_width = o->width;
+		o->crop_height = o->height;
+	}
+	if (!o->tile)
+		o->tile = TILE;
+	if (!(o->aa_gamma > 0))
+		o->aa_gamma = 2.5;
+}
+
+enum status render_scene(const struct scene *scene, const struct geometry *geometry,
+			 const struct render_options *options, struct pool *pool, struct mem_book *book,
+			 struct image *out, struct render_counts *counts, struct diag *d)
+{
+	struct job j = { .whole = *options, .image = out, .counts = counts };
+	uint32_t threads = pool_threads(pool), down;
+	double start = seconds();
+	enum status st = check(options, d);
+
+	memset(out, 0, sizeof(*out));
+	memset(counts, 0, sizeof(*counts));
+	if (st)
+		return st;
+	fill_defaults(&j.whole);
+	st = image_init(out, book, j.whole.crop_width, j.whole.crop_height, 4, d);
+	if (st)
+		return st;
+	memset(out->pixel, 0, (size_t)out->width * out->height * 4 * sizeof(float));
+	out->encoding = IMAGE_LINEAR;
+	out->premultiplied = true;
+	for (int i = 0; i < 4; i++) {
+		out->name[i][0] = "RGBA"[i];
+		out->name[i][1] = 0;
+	}
+	shader_init(&j.shader, scene, geometry, options->alpha);
+	j.across = (j.whole.crop_width + j.whole.tile - 1) / j.whole.tile;
+	down = (j.whole.crop_height + j.whole.tile - 1) / j.whole.tile;
+	pthread_mutex_init(&j.lock, NULL);
+	if (!make_workers(&j, threads, book)) {
+		st = diag_no_memory(d, "rendering", 0);
+	} else {
+		pool_run(pool, j.across * down, render_tile, &j);
+		sum_counts(&j, threads);
+		counts->seconds = seconds() - start;
+		if (atomic_load(&j.no_memory))
+			st = diag_no_memory(d, "rendering", 0);
+		else if (atomic_load(&j.stopped))
+			st = STATUS_SIGINT;
+		else if (counts->nonfinite)
+			st = STATUS_NONFINITE;
+	}
+	free_workers(&j, threads);
+	pthread_mutex_destroy(&j.lock);
+	return st;
+}

@@ -1,0 +1,75 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "shade/pov/interior.h"
+
+double interior_ior(const struct scene *s, uint32_t interior)
+{
+	return interior == SCENE_NONE ? 1 : s->interior[interior].ior;
+}
+
+static double fade(double colour, double depth, double power)
+{
+	/* Powers of 1000 and more stand for the exponential law (manual 3.4.8.1.4). */
+	if (power >= 1000)
+		return exp(-(1 - colour) * depth);
+	return colour + (1 - colour) / (1 + pow(depth, power));
+}
+
+struct rgb interior_fade(const struct scene *s, uint32_t interior, double distance)
+{
+	const struct interior *in;
+	double depth;
+
+	if (interior == SCENE_NONE)
+		return rgb_make(1, 1, 1);
+	in = &s->interior[interior];
+	if (!(in->fade_power > 0) || in->fade_distance == 0)
+		return rgb_make(1, 1, 1);
+	depth = distance / in->fade_distance;
+	return rgb_make(fade(in->fade_colour.r, depth, in->fade_power),
+			fade(in->fade_colour.g, depth, in->fade_power),
+			fade(in->fade_colour.b, depth, in->fade_power));
+}
+
+double interior_relative_ior(const struct scene *s, const struct tree *t, uint32_t list, uint32_t object,
+			     uint32_t interior)
+{
+	double own = interior_ior(s, interior), around;
+	const struct inside *head;
+
+	if (list == TREE_NONE)
+		return own;
+	head = BUF_AT(&t->inside, struct inside, list);
+	around = interior_ior(s, head->interior);
+	if (!inside_contains(t, list, object))
+		return own / around;
+	return head->outer == TREE_NONE ? 1 / own : around / own;
+}
+
+double interior_cross(const struct scene *s, struct tree *t, uint32_t *list, uint32_t object,
+		      uint32_t interior)
+{
+	double own = interior_ior(s, interior), ratio;
+	const struct inside *head;
+
+	if (*list == TREE_NONE) {
+		ratio = 1 / own;
+		*list = inside_enter(t, *list, object, interior);
+		return ratio;
+	}
+	head = BUF_AT(&t->inside, struct inside, *list);
+	if (head->object == object) { /* out of the innermost: the next one counts as outside */
+		*list = head->outer;
+		return *list == TREE_NONE ?
+			       own :
+			       own / interior_ior(s, BUF_AT(&t->inside, struct inside, *list)->interior);
+	}
+	if (inside_contains(t, *list, object)) { /* out of an overlap: left before */
+		*list = inside_leave(t, *list, object);
+		return 1;
+	}
+	ratio = interior_ior(s, head->interior) / own;
+	*list = inside_enter(t, *list, object, interior);
+	return ratio;
+}

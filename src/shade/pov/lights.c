@@ -1,0 +1,311 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Light at the hits of a wave (manual 3.4.4).
+ *
+ * Point lights ask one shadow question a hit. An area light is a grid of points, of which POV-Ray asks
+ * the corners, then those between where they differ by more than a tenth or the adaptive level is not
+ * yet reached; the mean of the four quarters is taken, so the points do not weigh alike. As the answers
+ * come in batches, the recursion is run anew each round with what is known so far, until it needs
+ * nothing more.
+ */
+#include "base/rng.h"
+#include "shade/light.h"
+#include "shade/pov/finish.h"
+#include "shade/pov/shadow.h"
+#include "shade/shade.h"
+
+#define DARK 1e-10
+
+static bool dark(struct rgb c)
+{
+	return fabs(c.r) < DARK && fabs(c.g) < DARK && fabs(c.b) < DARK;
+}
+
+static bool spread(const struct light *l)
+{
+	return l->area && l->area_illumination;
+}
+
+/* Can light from dir do anything to a layer? Sets behind: only the second value of diffuse takes it. */
+static bool falls_on(const struct lit_layer *layer, const struct met *m, vec dir, bool *behind)
+{
+	*behind = false;
+	if (m->flags & OBJECT_DOUBLE_ILLUMINATE)
+		return true;
+	if (vec_dot(layer->normal, dir) >= DARK)
+		return true;
+	*behind = layer->finish->diffuse_back != 0;
+	return *behind;
+}
+
+static bool wanted(const struct tree *t, const struct light *l, const struct met *m, vec dir)
+{
+	bool behind;
+
+	if (spread(l)) /* its points lie in many directions: asked for one by one later */
+		return m->layer_count > 0;
+	for (uint32_t i = 0; i < m->layer_count; i++) {
+		if (falls_on(BUF_AT(&t->layer, struct lit_layer, m->first_layer + i), m, dir, &behind))
+			return true;
+	}
+	return false;
+}
+
+static void ask(struct tree *t, const struct met *m, const struct node *n, const struct light_ray *r,
+		struct rgb colour)
+{
+	uint32_t i = tree_push(t, &t->shadow, 1);
+
+	if (i != TREE_NONE)
+		*BUF_AT(&t->shadow, struct shadow, i) =
+			(struct shadow){ .org = shadow_origin(m, r->dir),
+					 .dir = r->dir,
+					 .depth = r->depth,
+					 .skip = m->skip,
+					 .inside = n->inside,
+					 .colour = colour };
+}
+
+/* A grid for an area light: all unknown. */
+static uint32_t new_grid(struct tree *t, const struct light *l)
+{
+	uint32_t n = l->size1 * l->size2, first = tree_push(t, &t->cell, n);
+
+	if (first == TREE_NONE)
+		return first;
+	for (uint32_t i = 0; i < n; i++)
+		*BUF_AT(&t->cell, struct cell, first + i) = (struct cell){ .known = false };
+	return first;
+}
+
+/* One light at one hit: is it worth asking, and with what colour. */
+static void meet_light(const struct shader *sh, struct tree *t, uint32_t hit, uint32_t light)
+{
+	const struct light *l = &sh->scene->light[light];
+	const struct met *m = BUF_AT(&t->met, struct met, hit);
+	struct light_ray r = light_towards(l, m->p, vec_make(0, 0, 0));
+	double a = spread(l) ? 1 : light_attenuation(l, m->p, &r);
+	struct lit lit = { .hit = hit,
+			   .light = light,
+			   .dir = r.dir,
+			   .depth = r.depth,
+			   .colour = rgb_scale(l->colour, a),
+			   .grid = TREE_NONE };
+	uint32_t i;
+
+	if (dark(lit.colour) || !wanted(t, l, m, r.dir))
+		return;
+	if (l->area && !l->shadowless) {
+		lit.grid = new_grid(t, l);
+		if (lit.grid == TREE_NONE)
+			return;
+	}
+	i = tree_push(t, &t->lit, 1);
+	if (i != TREE_NONE)
+		*BUF_AT(&t->lit, struct lit, i) = lit;
+}
+
+/* Shadow questions of the point lights, answered in the order they were asked. */
+static void ask_points(const struct shader *sh, struct tree *t, uint32_t thread,
+		       struct shade_counts *counts)
+{
+	uint32_t next = 0;
+
+	for (uint32_t i = 0; i < t->lit.count; i++) {
+		const struct lit *lit = BUF_AT(&t->lit, struct lit, i);
+		const struct met *m = BUF_AT(&t->met, struct met, lit->hit);
+		struct light_ray r = { lit->dir, lit->depth };
+
+		if (lit->grid == TREE_NONE && !sh->scene->light[lit->light].shadowless)
+			ask(t, m, BUF_AT(&t->node, struct node, m->node), &r, lit->colour);
+	}
+	shadow_trace(sh, t, thread, 0, counts);
+	if (t->no_memory)
+		return;
+	for (uint32_t i = 0; i < t->lit.count; i++) {
+		struct lit *lit = BUF_AT(&t->lit, struct lit, i);
+
+		if (lit->grid == TREE_NONE && !sh->scene->light[lit->light].shadowless)
+			lit->colour = BUF_AT(&t->shadow, struct shadow, next++)->colour;
+	}
+}
+
+/* An area light at one hit while its grid is being filled. */
+struct area {
+	struct tree *t;
+	const struct light *l;
+	const struct met *m;
+	const struct node *n;
+	struct lit *lit;
+	vec axis1, axis2;
+	uint64_t key;
+	bool complete;
+};
+
+static bool area_cell(struct area *a, uint32_t u, uint32_t v, struct rgb *out)
+{
+	uint32_t index = a->lit->grid + u * a->l->size2 + v, i;
+	struct cell *c = BUF_AT(&a->t->cell, struct cell, index);
+	struct light_ray r;
+
+	*out = c->colour;
+	if (c->known)
+		return true;
+	a->complete = false;
+	if (c->asked)
+		return false;
+	r = light_towards(a->l, a->m->p,
+			  light_grid_point(a->l, a->axis1, a->axis2, u, v,
+					   rng_child(a->key, u * a->l->size2 + v)));
+	i = tree_push(a->t, &a->t->asked, 1);
+	if (i == TREE_NONE)
+		return false;
+	*BUF_AT(&a->t->asked, uint32_t, i) = index;
+	c->asked = true;
+	ask(a->t, a->m, a->n, &r, a->lit->colour);
+	return false;
+}
+
+static double distance(struct rgb a, struct rgb b)
+{
+	return fabs(a.r - b.r) + fabs(a.g - b.g) + fabs(a.b - b.b);
+}
+
+static bool differ(const struct rgb c[4])
+{
+	return distance(c[0], c[1]) > 0.1 || distance(c[1], c[3]) > 0.1 || distance(c[3], c[2]) > 0.1 ||
+	       distance(c[2], c[0]) > 0.1;
+}
+
+/* The part of the grid from (u1, v1) to (u2, v2). Its depth is the logarithm of the grid's size. */
+static struct rgb area_part(struct area *a, uint32_t u1, uint32_t v1, uint32_t u2, uint32_t v2,
+			    uint32_t level)
+{
+	uint32_t ul = (u1 + u2) / 2, ur = (u1 + u2 + 1) / 2, vl = (v1 + v2) / 2, vr = (v1 + v2 + 1) / 2;
+	bool known = true, finer = u2 - u1 > 1 || v2 - v1 > 1;
+	struct rgb c[4];
+
+	known &= area_cell(a, u1, v1, &c[0]);
+	known &= area_cell(a, u2, v1, &c[1]);
+	known &= area_cell(a, u1, v2, &c[2]);
+	known &= area_cell(a, u2, v2, &c[3]);
+	if (finer && (level < a->l->adaptive || (known && differ(c)))) {
+		c[0] = area_part(a, u1, v1, ul, vl, level + 1);
+		c[1] = area_part(a, ur, v1, u2, vl, level + 1);
+		c[2] = area_part(a, u1, vr, ul, v2, level + 1);
+		c[3] = area_part(a, ur, vr, u2, v2, level + 1);
+	}
+	return rgb_scale(rgb_add(rgb_add(rgb_add(c[0], c[1]), c[2]), c[3]), 0.25);
+}
+
+static void area_round(const struct shader *sh, struct tree *t, struct lit *lit, bool *complete)
+{
+	struct area a = { .t = t, .l = &sh->scene->light[lit->light], .lit = lit, .complete = true };
+	struct rgb c;
+
+	a.m = BUF_AT(&t->met, struct met, lit->hit);
+	a.n = BUF_AT(&t->node, struct node, a.m->node);
+	a.key = rng_child(a.n->key, 0x100000000u + lit->light);
+	light_axes(a.l, a.m->p, &a.axis1, &a.axis2);
+	c = area_part(&a, 0, 0, a.l->size1 - 1, a.l->size2 - 1, 0);
+	if (a.complete) {
+		lit->colour = c;
+		lit->grid = TREE_NONE;
+	} else {
+		*complete = false;
+	}
+}
+
+static void ask_areas(const struct shader *sh, struct tree *t, uint32_t thread,
+		      struct shade_counts *counts)
+{
+	bool complete = false;
+
+	while (!complete && !t->no_memory) {
+		complete = true;
+		t->shadow.count = t->asked.count = 0;
+		for (uint32_t i = 0; i < t->lit.count; i++) {
+			struct lit *lit = BUF_AT(&t->lit, struct lit, i);
+
+			if (lit->grid != TREE_NONE)
+				area_round(sh, t, lit, &complete);
+		}
+		if (t->no_memory)
+			return;
+		shadow_trace(sh, t, thread, 0, counts);
+		for (uint32_t i = 0; i < t->asked.count; i++) {
+			struct cell *c = BUF_AT(&t->cell, struct cell, *BUF_AT(&t->asked, uint32_t, i));
+
+			c->colour = BUF_AT(&t->shadow, struct shadow, i)->colour;
+			c->known = true;
+		}
+	}
+}
+
+/* Light of one colour and direction on all layers of a hit. */
+static void fall(struct tree *t, const struct met *m, const struct light *l, vec dir, vec eye,
+		 struct rgb colour)
+{
+	for (uint32_t i = 0; i < m->layer_count; i++) {
+		const struct lit_layer *layer = BUF_AT(&t->layer, struct lit_layer, m->first_layer + i);
+		struct part *p = BUF_AT(&t->part, struct part, layer->part);
+		struct finish_light f = { .to_light = dir,
+					  .eye = eye,
+					  .normal = layer->normal,
+					  .light = colour,
+					  .pigment = layer->pigment,
+					  .opacity = layer->opacity,
+					  .highlights = !l->shadowless };
+
+		if (falls_on(layer, m, dir, &f.behind))
+			p->own = rgb_add(p->own, rgb_mul(layer->filter, finish_shade(layer->finish, &f)));
+	}
+}
+
+/* area_illumination: every point of the grid shines by itself, all with the shadow of the whole. */
+static void fall_spread(struct tree *t, const struct met *m, const struct light *l, vec eye,
+			struct rgb colour, uint64_t key)
+{
+	struct rgb each = rgb_scale(colour, 1.0 / ((double)l->size1 * l->size2));
+	vec axis1, axis2;
+
+	light_axes(l, m->p, &axis1, &axis2);
+	for (uint32_t v = 0; v < l->size2; v++) {
+		for (uint32_t u = 0; u < l->size1; u++) {
+			vec shift = light_grid_point(l, axis1, axis2, u, v,
+						     rng_child(key, u * l->size2 + v));
+			struct light_ray r = light_towards(l, m->p, shift);
+
+			fall(t, m, l, r.dir, eye, rgb_scale(each, light_attenuation(l, m->p, &r)));
+		}
+	}
+}
+
+void shade_light(const struct shader *sh, struct tree *t, uint32_t thread, struct shade_counts *counts)
+{
+	for (uint32_t i = 0; i < t->met.count; i++) {
+		if (!BUF_AT(&t->met, struct met, i)->layer_count)
+			continue;
+		for (uint32_t j = 0; j < sh->scene->light_count; j++)
+			meet_light(sh, t, i, j);
+	}
+	ask_points(sh, t, thread, counts);
+	ask_areas(sh, t, thread, counts);
+	if (t->no_memory)
+		return;
+	for (uint32_t i = 0; i < t->lit.count; i++) {
+		const struct lit *lit = BUF_AT(&t->lit, struct lit, i);
+		const struct met *m = BUF_AT(&t->met, struct met, lit->hit);
+		const struct node *n = BUF_AT(&t->node, struct node, m->node);
+		const struct light *l = &sh->scene->light[lit->light];
+
+		if (dark(lit->colour))
+			continue;
+		if (spread(l))
+			fall_spread(t, m, l, n->dir, lit->colour,
+				    rng_child(n->key, 0x200000000u + lit->light));
+		else
+			fall(t, m, l, lit->dir, n->dir, lit->colour);
+	}
+}

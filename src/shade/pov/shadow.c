@@ -1,0 +1,155 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Shadow rays: first whether anything opaque is in the way, for all of them; then, of what is left,
+ * every clear surface in order (R2: none is lost, coincident ones included). Each surface crossed
+ * multiplies the light by what its layers let through and by the
+ * fading of the interior that lies behind.
+ */
+#include "shade/pov/shadow.h"
+
+#include "shade/pov/interior.h"
+
+#define BATCH 1024
+
+static void make_ray(ald_ray *r, const struct shadow *s, uint32_t mask)
+{
+	*r = (ald_ray){ .org = s->org,
+			.dir = s->dir,
+			.tmin = 0,
+			.tmax = s->depth,
+			.mask = mask,
+			.skip = s->skip,
+			.after = ALD_NONE,
+			.after_sub = { ALD_NONE, ALD_NONE } };
+}
+
+static bool dark(struct rgb c)
+{
+	return fabs(c.r) < 1e-10 && fabs(c.g) < 1e-10 && fabs(c.b) < 1e-10;
+}
+
+/* What a texture lets through; fake caustics brighten where the light falls straight (3.4.8.1.3). */
+static struct rgb texture_filter(const struct texture *t, double caustics, double cosine)
+{
+	struct rgb f = { 1, 1, 1 };
+
+	for (uint32_t i = 0; i < t->count; i++) {
+		const struct rgbft *c = &t->layer[i].pigment.colour;
+
+		f = rgb_mul(f, rgb_make(c->r * c->filter + c->transmit, c->g * c->filter + c->transmit,
+					c->b * c->filter + c->transmit));
+		if (caustics != 0)
+			f = rgb_scale(f, 1 + pow(fabs(cosine), caustics));
+	}
+	return f;
+}
+
+static struct rgb surface_filter(const struct shader *sh, const struct surface *s, vec dir)
+{
+	const struct scene *scene = sh->scene;
+	double caustics = s->interior == SCENE_NONE ? 0 : scene->interior[s->interior].caustics;
+	double cosine = vec_dot(s->ns, dir);
+	struct rgb f = { 0, 0, 0 };
+
+	if (cosine > 0 && s->interior_texture != SCENE_NONE)
+		return texture_filter(&scene->texture[s->interior_texture], caustics, cosine);
+	if (s->texture[0] == s->texture[1] && s->texture[0] == s->texture[2])
+		return texture_filter(&scene->texture[s->texture[0]], caustics, cosine);
+	for (int i = 0; i < 3; i++) {
+		if (s->bary[i] >= scene->adc_bailout)
+			f = rgb_add(f, rgb_scale(texture_filter(&scene->texture[s->texture[i]], caustics,
+								cosine),
+						 s->bary[i]));
+	}
+	return f;
+}
+
+/* The ray went from t0 to this clear surface: take off what was lost. */
+static void cross(const struct shader *sh, struct tree *t, struct shadow *s, const ald_ray *r,
+		  const ald_hit *h)
+{
+	struct surface at;
+
+	surface_at(sh->geometry, r, h, &at);
+	s->colour = rgb_mul(s->colour, surface_filter(sh, &at, s->dir));
+	if (inside_contains(t, s->inside, at.object)) {
+		double from = r->tmin > 0 ? r->tmin : 0;
+
+		s->colour = rgb_mul(s->colour, interior_fade(sh->scene, at.interior, h->t - from));
+		s->inside = inside_leave(t, s->inside, at.object);
+	} else {
+		s->inside = inside_enter(t, s->inside, at.object, at.interior);
+	}
+}
+
+/* The rays i of the batch that are not yet done, through one clear surface after the other. */
+static void filter_batch(const struct shader *sh, struct tree *t, uint32_t thread, struct shadow *s,
+			 uint32_t *live, uint32_t n, struct shade_counts *counts)
+{
+	ald_ray *ray = t->ray.data;
+	ald_hit *hit = t->hit.data;
+
+	for (uint32_t i = 0; i < n; i++)
+		make_ray(&ray[i], &s[live[i]], TRACE_SHADOW_CLEAR);
+	while (n) {
+		uint32_t left = 0;
+
+		trace_nearest(sh->geometry, thread, ray, hit, n, 0);
+		for (uint32_t i = 0; i < n; i++) {
+			struct shadow *one = &s[live[i]];
+
+			if (hit[i].prim == ALD_NONE)
+				continue;
+			counts->shadow_hit++;
+			cross(sh, t, one, &ray[i], &hit[i]);
+			if (dark(one->colour)) {
+				one->colour = rgb_make(0, 0, 0);
+				continue;
+			}
+			ray[left] = ray[i];
+			trace_after(&ray[left], &hit[i]);
+			live[left++] = live[i];
+		}
+		n = left;
+	}
+}
+
+static void trace_batch(const struct shader *sh, struct tree *t, uint32_t thread, struct shadow *s,
+			uint32_t n, struct shade_counts *counts)
+{
+	ald_ray *ray = t->ray.data;
+	uint8_t *hidden = t->hidden.data;
+	uint32_t live[BATCH], left = 0;
+
+	for (uint32_t i = 0; i < n; i++)
+		make_ray(&ray[i], &s[i], TRACE_SHADOW_OPAQUE);
+	trace_occluded(sh->geometry, thread, ray, hidden, n, 0);
+	counts->shadow_cast += n;
+	for (uint32_t i = 0; i < n; i++) {
+		if (hidden[i]) {
+			s[i].colour = rgb_make(0, 0, 0);
+			counts->shadow_hit++;
+		} else {
+			live[left++] = i;
+		}
+	}
+	if (left && sh->clear_shadows)
+		filter_batch(sh, t, thread, s, live, left, counts);
+}
+
+void shadow_trace(const struct shader *sh, struct tree *t, uint32_t thread, uint32_t first,
+		  struct shade_counts *counts)
+{
+	t->ray.count = t->hit.count = t->hidden.count = 0;
+	if (tree_push(t, &t->ray, BATCH) == TREE_NONE || tree_push(t, &t->hit, BATCH) == TREE_NONE ||
+	    tree_push(t, &t->hidden, BATCH) == TREE_NONE)
+		return;
+	while (first < t->shadow.count) {
+		uint32_t n = t->shadow.count - first;
+
+		n = n < BATCH ? n : BATCH;
+		trace_batch(sh, t, thread, BUF_AT(&t->shadow, struct shadow, first), n, counts);
+		first += n;
+	}
+}

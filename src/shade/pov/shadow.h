@@ -1,0 +1,21 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Shadow rays: what arrives of a light's colour.
+ */
+#ifndef ALIDADE_SHADE_POV_SHADOW_H
+#define ALIDADE_SHADE_POV_SHADOW_H
+
+#include "shade/shade.h"
+
+/* Answer tree.shadow[first ..]: each colour is multiplied by what lets it through. */
+void shadow_trace(const struct shader *, struct tree *, uint32_t thread, uint32_t first,
+		  struct shade_counts *);
+
+/* The start of a ray from a hit towards dir: off the surface by its error bound, on dir's side. */
+static inline vec shadow_origin(const struct met *m, vec dir)
+{
+	return vec_mad(m->p, m->n, vec_dot(m->n, dir) < 0 ? -m->error : m->error);
+}
+
+#endif

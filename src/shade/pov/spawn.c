@@ -1,0 +1,139 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * The rays that mirrors and glass ask for (manual 3.4.6.3.6, 3.4.8.1). Refraction by Heckbert's form
+ * of Snell's law (Glassner, An Introduction to Ray Tracing, 1989, chapter 7).
+ */
+#include "base/rng.h"
+#include "shade/pov/interior.h"
+#include "shade/pov/shadow.h"
+#include "shade/shade.h"
+
+#define SAME 1e-10 /* indices closer than this bend nothing */
+
+struct spawn {
+	vec dir;
+	double weight;
+	enum node_kind kind;
+	uint32_t inside;
+	bool straight, clear_sky;
+	uint64_t slot; /* of the parent's random numbers */
+};
+
+/* A child of m's node, or TREE_NONE if it is too deep or too faint. */
+static uint32_t add_node(const struct shader *sh, struct tree *t, const struct met *m,
+			 const struct spawn *s)
+{
+	const struct node *parent = BUF_AT(&t->node, struct node, m->node);
+	uint32_t level = parent->level + (parent->straight ? 0 : 1), i;
+	uint64_t key = rng_child(parent->key, s->slot);
+
+	if (!shade_worth(sh, level, s->weight))
+		return TREE_NONE;
+	i = tree_push(t, &t->node, 1);
+	if (i == TREE_NONE)
+		return i;
+	*BUF_AT(&t->node, struct node, i) = (struct node){ .org = shadow_origin(m, s->dir),
+							   .dir = s->dir,
+							   .weight = s->weight,
+							   .key = key,
+							   .level = level,
+							   .inside = s->inside,
+							   .skip = m->skip,
+							   .kind = s->kind,
+							   .straight = s->straight,
+							   .clear_sky = s->clear_sky };
+	return i;
+}
+
+static vec mirrored(vec dir, vec normal, vec raw)
+{
+	vec d = vec_mad(dir, normal, -2 * vec_dot(dir, normal));
+	double below = vec_dot(d, raw);
+
+	/* A bumped normal can throw the ray into the surface: then the raw normal decides. */
+	if (below < 0 && vec_dot(d, normal) < 0)
+		d = vec_mad(dir, raw, -2 * vec_dot(dir, raw));
+	else if (below < 0)
+		d = vec_mad(d, raw, -2 * below);
+	return vec_unit(d);
+}
+
+static double strongest(struct rgb c)
+{
+	return fmax(fabs(c.r), fmax(fabs(c.g), fabs(c.b)));
+}
+
+/* Through the surface: straight on, bent, or totally reflected. */
+static void spawn_through(const struct shader *sh, struct tree *t, const struct met *m, uint32_t part)
+{
+	struct part *p = BUF_AT(&t->part, struct part, part);
+	const struct node *n = BUF_AT(&t->node, struct node, m->node);
+	struct spawn s = { .dir = n->dir,
+			   .weight = n->weight * strongest(p->filter),
+			   .kind = NODE_REFRACTED,
+			   .inside = n->inside,
+			   .clear_sky = n->clear_sky,
+			   .slot = 2 * (uint64_t)(part - m->first_part) };
+	vec dir = n->dir;
+	uint32_t before = n->inside, child;
+	double ratio, c, k;
+
+	if (inside_contains(t, before, m->object))
+		p->fade = interior_fade(sh->scene, m->interior, m->t);
+	ratio = interior_cross(sh->scene, t, &s.inside, m->object, m->interior);
+	if (fabs(ratio - 1) < SAME) {
+		s.straight = true;
+	} else {
+		c = -vec_dot(dir, m->ns);
+		k = 1 + ratio * ratio * (c * c - 1);
+		if (k < 0) {
+			p->total = true;
+			s.dir = mirrored(dir, m->ns, m->ns);
+			s.kind = NODE_REFLECTED;
+			s.inside = before;
+			s.clear_sky = false;
+		} else {
+			s.dir = vec_unit(vec_mad(vec_scale(dir, ratio), m->ns, ratio * c - sqrt(k)));
+		}
+	}
+	child = add_node(sh, t, m, &s);
+	BUF_AT(&t->part, struct part, part)->through = child;
+}
+
+static void spawn_mirror(const struct shader *sh, struct tree *t, const struct met *m, uint32_t mirror,
+			 uint32_t slot)
+{
+	const struct mirror *r = BUF_AT(&t->mirror, struct mirror, mirror);
+	const struct node *n = BUF_AT(&t->node, struct node, m->node);
+	struct spawn s = { .dir = mirrored(n->dir, r->normal, m->ns),
+			   .weight = r->weight,
+			   .kind = NODE_REFLECTED,
+			   .inside = n->inside,
+			   .slot = 2 * (uint64_t)slot + 1 };
+	uint32_t child = add_node(sh, t, m, &s);
+
+	BUF_AT(&t->mirror, struct mirror, mirror)->child = child;
+}
+
+void shade_spawn(const struct shader *sh, struct tree *t)
+{
+	for (uint32_t i = 0; i < t->met.count && !t->no_memory; i++) {
+		const struct met m = *BUF_AT(&t->met, struct met, i);
+		uint32_t slot = 0;
+
+		for (uint32_t j = m.first_part; j < m.first_part + m.part_count; j++) {
+			const struct part *p = BUF_AT(&t->part, struct part, j);
+
+			if (p->clear > sh->scene->adc_bailout)
+				spawn_through(sh, t, &m, j);
+			p = BUF_AT(&t->part, struct part, j);
+			if (p->total) {
+				BUF_AT(&t->part, struct part, j)->mirror_count = 0;
+				continue;
+			}
+			for (uint32_t k = 0; k < p->mirror_count; k++)
+				spawn_mirror(sh, t, &m, p->first_mirror + k, slot++);
+		}
+	}
+}

@@ -1,0 +1,159 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * From a hit to its textures: the layers that light falls on, what they let through and what they
+ * mirror (manual 3.4.6, 3.4.6.9 for layers; weights as max_trace_level and adc_bailout want them,
+ * 3.4.1).
+ */
+#include "shade/pov/finish.h"
+#include "shade/pov/interior.h"
+#include "shade/shade.h"
+
+static struct rgb let_through(const struct rgbft *c)
+{
+	return rgb_make(c->r * c->filter + c->transmit, c->g * c->filter + c->transmit,
+			c->b * c->filter + c->transmit);
+}
+
+/* How much of its own light a layer shows. Before 3.7 POV-Ray weighed filter by the colour. */
+static double opacity(const struct scene *s, const struct rgbft *c)
+{
+	if (s->version < 370)
+		return 1 - (c->filter * rgb_max(rgbft_rgb(*c)) + c->transmit);
+	return 1 - c->filter - c->transmit;
+}
+
+static double clearness(struct rgb filter)
+{
+	return fmin(1, fabs(rgb_grey(filter)));
+}
+
+/* The light a layer has without lamps. */
+static struct rgb glow(const struct scene *s, const struct finish *f, struct rgb pigment)
+{
+	struct rgb ambient = rgb_mul(f->ambient, s->ambient_light);
+
+	return rgb_mul(pigment, rgb_add(ambient, f->emission));
+}
+
+static void add_mirror(const struct shader *sh, struct tree *t, struct part *p, const struct met *m,
+		       const struct node *n, const struct finish *f, struct rgb pigment, double weight,
+		       struct rgb *reflectivity)
+{
+	double cosine = -vec_dot(n->dir, m->ns), ior = 1;
+	uint32_t i;
+
+	if (f->reflection_fresnel)
+		ior = interior_relative_ior(sh->scene, t, n->inside, m->object, m->interior);
+	*reflectivity = finish_reflectivity(f, cosine, ior, pigment);
+	if (reflectivity->r == 0 && reflectivity->g == 0 && reflectivity->b == 0)
+		return;
+	i = tree_push(t, &t->mirror, 1);
+	if (i == TREE_NONE)
+		return;
+	*BUF_AT(&t->mirror, struct mirror, i) =
+		(struct mirror){ .reflectivity = *reflectivity,
+				 .exponent = f->reflection_exponent,
+				 .weight = weight * finish_mirror_weight(f, *reflectivity),
+				 .normal = m->ns,
+				 .child = TREE_NONE };
+	p->mirror_count++;
+}
+
+static void add_layer(struct tree *t, struct part *p, uint32_t part, const struct met *m,
+		      const struct layer *layer, double opaque)
+{
+	uint32_t i;
+
+	if (!finish_needs_light(&layer->finish))
+		return;
+	i = tree_push(t, &t->layer, 1);
+	if (i == TREE_NONE)
+		return;
+	*BUF_AT(&t->layer, struct lit_layer, i) = (struct lit_layer){ .finish = &layer->finish,
+								     .pigment = rgbft_rgb(layer->pigment.colour),
+								     .filter = p->filter,
+								     .opacity = opaque,
+								     .normal = m->ns,
+								     .part = part };
+	p->layer_count++;
+}
+
+static void add_part(const struct shader *sh, struct tree *t, const struct met *m, const struct node *n,
+		     uint32_t texture, double share)
+{
+	const struct texture *tex = &sh->scene->texture[texture];
+	uint32_t index = tree_push(t, &t->part, 1);
+	struct part p = { .share = share,
+			  .filter = { 1, 1, 1 },
+			  .fade = { 1, 1, 1 },
+			  .clear = 1,
+			  .through = TREE_NONE,
+			  .first_layer = t->layer.count,
+			  .first_mirror = t->mirror.count };
+
+	if (index == TREE_NONE)
+		return;
+	for (uint32_t i = 0; i < tex->count && p.clear > sh->scene->adc_bailout; i++) {
+		const struct layer *layer = &tex->layer[i];
+		struct rgb pigment = rgbft_rgb(layer->pigment.colour), reflectivity = { 0, 0, 0 };
+		double opaque = opacity(sh->scene, &layer->pigment.colour);
+
+		if (finish_is_mirror(&layer->finish))
+			add_mirror(sh, t, &p, m, n, &layer->finish, pigment, n->weight * p.clear,
+				   &reflectivity);
+		p.own = rgb_add(p.own, rgb_mul(p.filter, rgb_scale(glow(sh->scene, &layer->finish, pigment),
+								   opaque)));
+		add_layer(t, &p, index, m, layer, opaque);
+		p.filter = rgb_mul(p.filter, let_through(&layer->pigment.colour));
+		if (layer->finish.conserve_energy)
+			p.filter = rgb_mul(p.filter, rgb_make(fmin(1, 1 - reflectivity.r),
+							      fmin(1, 1 - reflectivity.g),
+							      fmin(1, 1 - reflectivity.b)));
+		p.clear = clearness(p.filter);
+	}
+	*BUF_AT(&t->part, struct part, index) = p;
+}
+
+void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald_ray *ray,
+	       const ald_hit *hit)
+{
+	uint32_t index = tree_push(t, &t->met, 1);
+	const struct node *n = BUF_AT(&t->node, struct node, node);
+	struct surface s;
+	struct met m;
+	bool from_inside;
+
+	if (index == TREE_NONE)
+		return;
+	surface_at(sh->geometry, ray, hit, &s);
+	from_inside = vec_dot(s.ns, n->dir) > 0;
+	m = (struct met){ .node = node,
+			  .p = s.p,
+			  .n = s.n,
+			  .ns = from_inside ? vec_neg(s.ns) : s.ns,
+			  .error = surface_error(sh->geometry, ray, hit, &s),
+			  .t = hit->t,
+			  .skip = s.planar ? hit->prim : ALD_NONE,
+			  .object = s.object,
+			  .interior = s.interior,
+			  .flags = s.flags,
+			  .first_part = t->part.count,
+			  .first_layer = t->layer.count };
+	if (from_inside && s.interior_texture != SCENE_NONE) {
+		add_part(sh, t, &m, n, s.interior_texture, 1);
+	} else if (s.texture[0] == s.texture[1] && s.texture[0] == s.texture[2]) {
+		add_part(sh, t, &m, n, s.texture[0], 1);
+	} else {
+		/* POV-Ray leaves out textures of a share below adc_bailout. */
+		for (int i = 0; i < 3; i++) {
+			if (s.bary[i] >= sh->scene->adc_bailout)
+				add_part(sh, t, &m, n, s.texture[i], s.bary[i]);
+		}
+	}
+	m.part_count = t->part.count - m.first_part;
+	m.layer_count = t->layer.count - m.first_layer;
+	*BUF_AT(&t->met, struct met, index) = m;
+	BUF_AT(&t->node, struct node, node)->first_part = m.first_part;
+	BUF_AT(&t->node, struct node, node)->part_count = m.part_count;
+}

@@ -1,0 +1,52 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "shade/shade.h"
+
+#define CAMERA_SOLIDS 64
+
+void shader_init(struct shader *sh, const struct scene *s, const struct geometry *g, bool alpha)
+{
+	*sh = (struct shader){ .scene = s, .geometry = g, .alpha = alpha };
+	for (uint32_t i = 0; i < s->texture_count && !sh->translucent; i++)
+		sh->translucent = texture_translucent(&s->texture[i]);
+	sh->clear_shadows = sh->translucent && s->light_count > 0;
+}
+
+bool shade_worth(const struct shader *sh, uint32_t level, double weight)
+{
+	return level < sh->scene->max_trace_level && weight >= sh->scene->adc_bailout;
+}
+
+uint32_t shade_camera_inside(const struct shader *sh, struct tree *t, vec org)
+{
+	uint32_t object[CAMERA_SOLIDS], list = TREE_NONE, n;
+
+	if (!sh->translucent)
+		return list;
+	n = geometry_inside(sh->geometry, org, object, CAMERA_SOLIDS);
+	for (uint32_t i = 0; i < n && i < CAMERA_SOLIDS; i++)
+		list = inside_enter(t, list, object[i],
+				    geometry_object_interior(sh->geometry, object[i]));
+	return list;
+}
+
+void shade_sky(const struct shader *sh, struct node *n)
+{
+	const struct rgbft *b = &sh->scene->background;
+	struct rgb through;
+
+	n->colour = rgbft_rgb(*b);
+	n->transmit = 0;
+	if (!n->clear_sky)
+		return;
+	if (sh->scene->version < 370) {
+		n->colour = rgb_make(0, 0, 0);
+		n->transmit = 1;
+		return;
+	}
+	through = rgb_make(b->r * b->filter + b->transmit, b->g * b->filter + b->transmit,
+			   b->b * b->filter + b->transmit);
+	n->colour = rgb_scale(n->colour, 1 - b->filter - b->transmit);
+	n->transmit = fmin(1, fabs(rgb_grey(through)));
+}

@@ -1,0 +1,44 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Shading as POV-Ray does it, in waves: all hits of a batch, then all their shadow rays, then the rays
+ * that mirrors and glass ask for. What is kept between the steps stands in a struct tree.
+ */
+#ifndef ALIDADE_SHADE_SHADE_H
+#define ALIDADE_SHADE_SHADE_H
+
+#include "shade/tree.h"
+
+/* What all shading of one picture shares; read-only while rendering. */
+struct shader {
+	const struct scene *scene;
+	const struct geometry *geometry;
+	bool alpha;
+	/* What this scene requires: */
+	bool translucent; /* some texture lets light through: interiors are followed */
+	bool clear_shadows; /* and shadow rays are filtered */
+};
+
+/* Rays cast for shading, for the reports. */
+struct shade_counts {
+	uint64_t shadow_cast, shadow_hit;
+};
+
+void shader_init(struct shader *, const struct scene *, const struct geometry *, bool alpha);
+
+/* The solids that a camera ray starts in, as a list of tree.inside. */
+uint32_t shade_camera_inside(const struct shader *, struct tree *, vec org);
+
+/* A ray that left the scene. */
+void shade_sky(const struct shader *, struct node *);
+/* A ray that hit: appends a met with its parts, layers and mirrors. */
+void shade_hit(const struct shader *, struct tree *, uint32_t node, const ald_ray *, const ald_hit *);
+/* Light at all hits met in this wave, shadows traced; the parts' own light is complete then. */
+void shade_light(const struct shader *, struct tree *, uint32_t thread, struct shade_counts *);
+/* The nodes that these hits ask for. */
+void shade_spawn(const struct shader *, struct tree *);
+
+/* How far down the tree, and how faintly, a ray is still traced (max_trace_level, adc_bailout). */
+bool shade_worth(const struct shader *, uint32_t level, double weight);
+
+#endif

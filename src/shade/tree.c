@@ -1,0 +1,91 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include "shade/tree.h"
+
+#include <string.h>
+
+void tree_init(struct tree *t, struct mem_book *book)
+{
+	memset(t, 0, sizeof(*t));
+	t->book = book;
+	t->node.size = sizeof(struct node);
+	t->part.size = sizeof(struct part);
+	t->mirror.size = sizeof(struct mirror);
+	t->inside.size = sizeof(struct inside);
+	t->met.size = sizeof(struct met);
+	t->layer.size = sizeof(struct lit_layer);
+	t->lit.size = sizeof(struct lit);
+	t->shadow.size = sizeof(struct shadow);
+	t->cell.size = sizeof(struct cell);
+	t->asked.size = sizeof(uint32_t);
+	t->ray.size = sizeof(ald_ray);
+	t->hit.size = sizeof(ald_hit);
+	t->hidden.size = sizeof(uint8_t);
+}
+
+void tree_reset_wave(struct tree *t)
+{
+	t->met.count = t->layer.count = t->lit.count = t->shadow.count = 0;
+	t->cell.count = t->asked.count = 0;
+}
+
+void tree_reset(struct tree *t)
+{
+	t->node.count = t->part.count = t->mirror.count = t->inside.count = 0;
+	tree_reset_wave(t);
+}
+
+void tree_release(struct tree *t)
+{
+	struct buf *all[] = { &t->node, &t->part,  &t->mirror, &t->inside, &t->met, &t->layer, &t->lit,
+			      &t->shadow, &t->cell, &t->asked, &t->ray,	   &t->hit, &t->hidden };
+
+	for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); i++)
+		buf_release(all[i]);
+}
+
+uint32_t tree_push(struct tree *t, struct buf *b, uint32_t n)
+{
+	uint32_t first = b->count;
+
+	if (!buf_reserve(b, t->book, "render", n)) {
+		t->no_memory = true;
+		return TREE_NONE;
+	}
+	b->count += n;
+	return first;
+}
+
+bool inside_contains(const struct tree *t, uint32_t list, uint32_t object)
+{
+	for (; list != TREE_NONE; list = BUF_AT(&t->inside, struct inside, list)->outer) {
+		if (BUF_AT(&t->inside, struct inside, list)->object == object)
+			return true;
+	}
+	return false;
+}
+
+uint32_t inside_enter(struct tree *t, uint32_t list, uint32_t object, uint32_t interior)
+{
+	uint32_t i = tree_push(t, &t->inside, 1);
+
+	if (i == TREE_NONE)
+		return list;
+	*BUF_AT(&t->inside, struct inside, i) =
+		(struct inside){ .object = object, .interior = interior, .outer = list };
+	return i;
+}
+
+uint32_t inside_leave(struct tree *t, uint32_t list, uint32_t object)
+{
+	struct inside head;
+
+	if (list == TREE_NONE)
+		return list;
+	head = *BUF_AT(&t->inside, struct inside, list);
+	if (head.object == object)
+		return head.outer;
+	/* Overlapping solids are few, so the entries further in are simply made anew. */
+	return inside_enter(t, inside_leave(t, head.outer, object), head.object, head.interior);
+}

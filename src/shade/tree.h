@@ -1,0 +1,128 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * The rays of a tile as a tree, and what is known of each.
+ *
+ * A node is one ray and, in the end, the colour it brings. What it hit has parts: one texture, or three
+ * that are blended over a triangle. A part has its own light and asks for other nodes: one through the
+ * surface, one mirrored by each layer. Children stand behind their parents, so that folding goes from
+ * the last node to the first (render/fold.c): POV-Ray's reflection exponent needs a child's colour
+ * before it is added.
+ */
+#ifndef ALIDADE_SHADE_TREE_H
+#define ALIDADE_SHADE_TREE_H
+
+#include "accel/trace.h"
+#include "base/buf.h"
+#include "scene/scene.h"
+
+#define TREE_NONE UINT32_MAX
+
+enum node_kind { NODE_CAMERA, NODE_REFLECTED, NODE_REFRACTED };
+
+struct node {
+	vec org, dir; /* dir is unit */
+	double weight; /* share of the pixel that it can still be, for adc_bailout */
+	uint64_t key; /* what its random numbers are made of */
+	uint32_t level; /* mirrors and refractions before it */
+	uint32_t inside; /* what it is inside of, an index of tree.inside, or TREE_NONE */
+	uint32_t skip; /* the planar primitive it starts on */
+	enum node_kind kind;
+	bool straight; /* went on through a surface without bending: not counted as a level */
+	bool clear_sky; /* the background's transparency is wanted (alpha) */
+	uint32_t first_part, part_count; /* no parts: colour is what it is */
+	struct rgb colour;
+	double transmit; /* how much of the background is seen, for alpha */
+};
+
+/* Being in a solid; a list from the innermost outward that never changes, so that rays share it. */
+struct inside {
+	uint32_t object, interior, outer;
+};
+
+struct part {
+	double share; /* of the hit's colour */
+	struct rgb own; /* its own light, all layers */
+	struct rgb filter; /* what all layers let through */
+	struct rgb fade; /* by the way through the interior */
+	double clear; /* grey of filter, at most 1 */
+	uint32_t through; /* a node, or TREE_NONE */
+	bool total; /* through is a total reflection, and is not filtered */
+	uint32_t first_layer, layer_count; /* of tree.layer, until the wave is shaded */
+	uint32_t first_mirror, mirror_count;
+};
+
+struct mirror {
+	struct rgb reflectivity;
+	double exponent, weight;
+	uint32_t child; /* a node, or TREE_NONE: not worth tracing */
+	vec normal;
+};
+
+/* A layer that light falls on. */
+struct lit_layer {
+	const struct finish *finish;
+	struct rgb pigment, filter; /* filter: what the layers above let through */
+	double opacity;
+	vec normal;
+	uint32_t part;
+};
+
+/* One light at one hit. */
+struct lit {
+	uint32_t hit; /* of tree.hit */
+	uint32_t light;
+	vec dir;
+	double depth;
+	struct rgb colour; /* arriving, shadows included once they are known */
+	uint32_t grid; /* area lights: the first of its cells in tree.cell, or TREE_NONE */
+};
+
+/* A surface that the current wave met. */
+struct met {
+	uint32_t node;
+	vec p, n, ns; /* n, ns as in struct surface; ns faces the ray */
+	double error; /* see surface_error() */
+	double t;
+	uint32_t skip; /* its primitive, if planar */
+	uint32_t object, interior;
+	unsigned flags;
+	uint32_t first_part, part_count;
+	uint32_t first_layer, layer_count; /* over all its parts */
+};
+
+/* A question to one light point, or to one point of a light's grid. */
+struct shadow {
+	vec org, dir;
+	double depth;
+	uint32_t skip, inside;
+	struct rgb colour; /* in: unshadowed; out: what arrives */
+};
+
+struct cell {
+	struct rgb colour;
+	bool known, asked;
+};
+
+struct tree {
+	struct mem_book *book;
+	bool no_memory; /* sticky: some push failed */
+	struct buf node, part, mirror, inside; /* until folded */
+	struct buf met, layer, lit, shadow, cell, asked; /* of the current wave */
+	struct buf ray, hit, hidden; /* of the current call to trace */
+};
+
+void tree_init(struct tree *, struct mem_book *);
+void tree_reset(struct tree *); /* empty, memory kept */
+void tree_reset_wave(struct tree *);
+void tree_release(struct tree *);
+
+/* Append n uninitialised elements; the index of the first, or TREE_NONE (then no_memory is set). */
+uint32_t tree_push(struct tree *, struct buf *, uint32_t n);
+
+/* Lists of what a ray is in. contains: the list has an entry for object. */
+bool inside_contains(const struct tree *, uint32_t list, uint32_t object);
+uint32_t inside_enter(struct tree *, uint32_t list, uint32_t object, uint32_t interior);
+uint32_t inside_leave(struct tree *, uint32_t list, uint32_t object); /* its innermost entry */
+
+#endif

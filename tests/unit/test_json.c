@@ -124,8 +124,8 @@ static void test_nonfinite(void **state)
 	(void)state;
 	text_open(&t, JSON_LINE);
 	json_array(&t.json, NULL);
-	json_double(&t.json, NULL, NAN);
-	json_double(&t.json, NULL, -INFINITY);
+	json_double(&t.json, NULL, (double)NAN);
+	json_double(&t.json, NULL, -(double)INFINITY);
 	json_end(&t.json);
 	assert_true(text_is(&t, "[null, null]\n"));
 }

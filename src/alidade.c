@@ -336,7 +336,8 @@ static enum status act(struct run *run)
 		return accel_list(print_accel, run, &run->diag);
 	case ACTION_COMPLETION:
 		if (!options_completion(&settings_program, run->settings.shell, stdout))
-			return diag_fail(&run->diag, STATUS_USAGE, NULL, "--print-completion=%s: bash, zsh or fish",
+			return diag_fail(&run->diag, STATUS_USAGE, NULL,
+					 "--print-completion=%s: expected bash, zsh or fish",
 					 run->settings.shell);
 		return STATUS_OK;
 	default:

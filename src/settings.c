@@ -320,7 +320,8 @@ static enum status set_progress(struct settings *s, const struct option_spec *o,
 	return wrong(d, o, value, o->words);
 }
 
-static enum status set_bits(struct settings *s, const struct option_spec *o, const char *value, struct diag *d)
+static enum status set_bits(struct settings *s, const struct option_spec *o, const char *value,
+			    struct diag *d)
 {
 	enum status st = set_number(o, value, 8, 32, &s->bits, d);
 

@@ -2,3 +2,8 @@
 UNIT_LIBS = src/libalidade.la $(CMOCKA_LIBS)
 UNIT_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
 include tests/unit/local.mk
+
+# Tests in shell: tests/tap.sh tells how they are written.
+SHELL_TESTS = tests/headers.sh tests/layers.sh
+TESTS += $(SHELL_TESTS)
+EXTRA_DIST += $(SHELL_TESTS) tests/lint.sh tests/tap.sh

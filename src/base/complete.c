@@ -54,8 +54,8 @@ static void bash_values(const struct option_program *p, const struct option_spec
 		break;
 	case COMPLETE_ACCEL:
 		fprintf(out,
-			"mapfile -t COMPREPLY < <(compgen -W \"$(%s %s | sed -n 's/^\\([a-z][a-z0-9-]*\\).*/\\1/p')\" "
-			"-- \"$cur\")",
+			"mapfile -t COMPREPLY < <(compgen -W "
+			"\"$(%s %s | sed -n 's/^\\([a-z][a-z0-9-]*\\).*/\\1/p')\" -- \"$cur\")",
 			p->name, LIST_ACCELS);
 		break;
 	default:
@@ -140,7 +140,8 @@ static void zsh(const struct option_program *p, FILE *out)
 	head(p, out);
 	fputs("_arguments -s -S", out);
 	for (const struct option_spec *o = p->option; o->name; o++) {
-		static const char *const mark_short[] = { "", "+", "-" }, *const mark_long[] = { "", "=", "=-" };
+		static const char *const mark_short[] = { "", "+", "-" };
+		static const char *const mark_long[] = { "", "=", "=-" };
 
 		if (!o->help)
 			continue;

@@ -78,7 +78,8 @@ static void print_lights(const struct scene *s, FILE *out)
 		area += l->area;
 		shadowless += l->shadowless;
 	}
-	fprintf(out, "lights\n  point %u, spot %u, cylinder %u, parallel %u; of these area %u, shadowless %u\n",
+	fprintf(out,
+		"lights\n  point %u, spot %u, cylinder %u, parallel %u; of these area %u, shadowless %u\n",
 		point, spot, cylinder, parallel, area, shadowless);
 }
 
@@ -96,7 +97,8 @@ void require_text(const struct scene *s, FILE *out)
 	print_objects(s, &f, out);
 	print_lights(s, out);
 	fprintf(out, "surfaces\n  textures %u, interiors %u\n", s->texture_count, s->interior_count);
-	fprintf(out, "required\n  shadows %s, mirrors %s, transparency %s, refraction %s, coloured glass %s\n",
+	fprintf(out,
+		"required\n  shadows %s, mirrors %s, transparency %s, refraction %s, coloured glass %s\n",
 		s->light_count ? "yes" : "no", f.mirror ? "yes" : "no", f.clear ? "yes" : "no",
 		f.refraction ? "yes" : "no", f.fade ? "yes" : "no");
 	fprintf(out, "  layered textures %s, vertex textures %s, rays up to depth %u\n",

@@ -4,3 +4,13 @@ src_libalidade_la_SOURCES += \
 	src/image/oiio.c src/image/oiio/io_oiio.h \
 	src/image/out.c src/image/out.h \
 	src/image/png.c src/image/pnm.c src/image/samples.c
+
+# The one piece of C++: never linked to the library, see io_oiio.h.
+if HAVE_OIIO
+pkglib_LTLIBRARIES += src/image/oiio/io_oiio.la
+src_image_oiio_io_oiio_la_SOURCES = src/image/oiio/io_oiio.cc src/image/oiio/io_oiio.h
+src_image_oiio_io_oiio_la_CXXFLAGS = $(AM_CXXFLAGS) $(OIIO_CFLAGS)
+src_image_oiio_io_oiio_la_LIBADD = $(OIIO_LIBS)
+src_image_oiio_io_oiio_la_LDFLAGS = $(AM_LDFLAGS) -module -avoid-version -shared \
+	-export-symbols-regex '^alidade_io_oiio$$'
+endif

@@ -1,0 +1,3 @@
+bin_PROGRAMS += tools/alidade-diff
+tools_alidade_diff_SOURCES = tools/alidade-diff.c
+tools_alidade_diff_LDADD = src/libalidade.la

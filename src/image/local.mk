@@ -1,5 +1,6 @@
 src_libalidade_la_SOURCES += \
 	src/image/exr_read.c src/image/exr_write.c src/image/half.h \
+	src/image/diff.c src/image/diff.h src/image/diff_report.c \
 	src/image/format.h src/image/image.c src/image/image.h \
 	src/image/oiio.c src/image/oiio/io_oiio.h \
 	src/image/out.c src/image/out.h \

@@ -67,20 +67,19 @@ static int alpha_of(const struct image *im, uint32_t c)
 /* Premultiplied means multiplied in light, before encoding. */
 static double convert(const struct image *im, struct image_form form, float value, float alpha, bool has_alpha)
 {
-	bool multiply = has_alpha && form.premultiplied && !im->premultiplied;
-	bool divide = has_alpha && !form.premultiplied && im->premultiplied;
+	bool covered = has_alpha && !(alpha >= 1); /* opaque samples stay as they are, to the bit */
+	bool multiply = covered && form.premultiplied && !im->premultiplied;
+	bool divide = covered && !form.premultiplied && im->premultiplied;
 	double v = (double)value, a = (double)alpha;
 
 	if (!multiply && !divide && form.encoding == im->encoding)
 		return v;
 	if (im->encoding == IMAGE_SRGB)
 		v = srgb_decode(v);
-	if (a > 1)
-		a = 1;
 	if (multiply)
 		v *= a;
 	else if (divide)
-		v = a > 0 ? v / a : 0;
+		v = a > 0 ? v / a : 0; /* nothing is seen there */
 	if (form.encoding == IMAGE_SRGB)
 		v = srgb_encode(v);
 	return v;

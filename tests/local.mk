@@ -6,4 +6,4 @@ include tests/unit/local.mk
 # Tests in shell: tests/tap.sh tells how they are written.
 SHELL_TESTS = tests/headers.sh tests/layers.sh
 TESTS += $(SHELL_TESTS)
-EXTRA_DIST += $(SHELL_TESTS) tests/lint.sh tests/tap.sh
+EXTRA_DIST += $(SHELL_TESTS) tests/lint.sh tests/tap.sh tests/cli

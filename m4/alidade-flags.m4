@@ -8,7 +8,8 @@ ALIDADE_CFLAGS="$ALIDADE_CFLAGS -Wall -Wextra -Wshadow -Wconversion -Wno-sign-co
 ALIDADE_CFLAGS="$ALIDADE_CFLAGS -Wmissing-prototypes -Wvla -Wdouble-promotion"
 ALIDADE_CXXFLAGS="-std=c++17 -fvisibility=hidden -Wall -Wextra"
 AC_ARG_ENABLE([werror], [AS_HELP_STRING([--enable-werror], [treat warnings as errors])],
-	[AS_IF([test "x$enableval" = xyes], [ALIDADE_CFLAGS="$ALIDADE_CFLAGS -Werror"])])
+	[AS_IF([test "x$enableval" = xyes], [ALIDADE_CFLAGS="$ALIDADE_CFLAGS -Werror"
+		ALIDADE_CXXFLAGS="$ALIDADE_CXXFLAGS -Werror"])])
 AC_ARG_ENABLE([sanitizers],
 	[AS_HELP_STRING([--enable-sanitizers], [build with AddressSanitizer and UBSan])],
 	[AS_IF([test "x$enableval" = xyes], [

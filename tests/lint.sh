@@ -45,6 +45,23 @@ spaces()
 }
 ok "tabs for indentation, no blanks at line ends" spaces
 
+# strncmp(s, "word", 4): the number is the literal's length.
+literal_lengths()
+{
+	! sources | xargs perl -ne '
+		while (/(?:strn?(?:case)?cmp|memcmp)\([^"()]*,\s*"((?:[^"\\]|\\.)*)",\s*(\d+)\)/g) {
+			my ($text, $length) = ($1, $2);
+			$text =~ s/\\(?:x[0-9a-fA-F]{2}|[0-7]{1,3}|.)/x/g;
+			print "$ARGV:$.: \"$1\" compared with length $length\n" if length($text) != $length;
+		}
+		close ARGV if eof' | grep .
+}
+if command -v perl >/dev/null; then
+	ok "lengths of compared literals" literal_lengths
+else
+	skip "lengths of compared literals" "perl is not installed"
+fi
+
 if command -v reuse >/dev/null && [ -e .git ]; then
 	ok "reuse lint" reuse lint
 elif [ -n "${ALIDADE_CI:-}" ] && [ -e .git ]; then

@@ -16,7 +16,8 @@ TESTS += tests/unit/test_image_formats
 endif
 
 if HAVE_CMOCKA
-check_PROGRAMS += tests/unit/test_options tests/unit/test_progress tests/unit/test_settings
+check_PROGRAMS += tests/unit/test_options tests/unit/test_progress tests/unit/test_settings \
+	tests/unit/test_stats
 tests_unit_test_options_SOURCES = tests/unit/test_options.c
 tests_unit_test_options_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_options_LDADD = $(UNIT_LIBS)
@@ -26,5 +27,9 @@ tests_unit_test_progress_LDADD = $(UNIT_LIBS)
 tests_unit_test_settings_SOURCES = tests/unit/test_settings.c src/settings.c src/settings.h
 tests_unit_test_settings_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_settings_LDADD = $(UNIT_LIBS)
-TESTS += tests/unit/test_options tests/unit/test_progress tests/unit/test_settings
+tests_unit_test_stats_SOURCES = tests/unit/test_stats.c
+tests_unit_test_stats_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_stats_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_options tests/unit/test_progress tests/unit/test_settings \
+	tests/unit/test_stats
 endif

@@ -30,18 +30,22 @@ struct geometry; /* opaque; made by geometry_build() */
 /* What shading needs to know of a hit, in world coordinates. */
 struct surface {
 	vec p; /* on the surface */
-	vec n; /* unit geometric normal of the primitive, outward; of a triangle: by winding */
+	vec n; /* unit geometric normal of the primitive, outward; of a triangle: (b - a) x (c - a), of its
+		  own coordinates, whatever the transform mirrors */
 	vec ns; /* unit shading normal, in n's hemisphere as the mesh gives it; = n where flat */
 	double bary[3]; /* of a triangle's corners */
-	uint32_t texture[3]; /* scene textures; [1] and [2] equal [0] unless blended by bary */
+	uint32_t texture[3]; /* scene textures; [1] and [2] equal [0] unless blended by bary; SCENE_NONE:
+				nobody gave one */
 	uint32_t interior_texture; /* or SCENE_NONE */
 	uint32_t interior; /* or SCENE_NONE */
-	uint32_t object; /* the leaf object as a volume: equal for all surfaces of one solid */
+	uint32_t object; /* the leaf object as a volume: equal for all surfaces of one solid; leaves are
+			    numbered from 0 in the order of the file */
 	unsigned flags; /* enum object_flag */
 	bool planar; /* next rays may skip this primitive by id */
+	double error; /* what surface_error() returns */
 };
 
-struct accel_choice; /* a loaded plugin with parameter values, of load.h */
+struct accel_choice; /* a loaded plugin with parameter values, of load.h; NULL: brute force */
 
 struct geometry_counts {
 	uint64_t triangles, primitives, instances, unbounded, dropped;

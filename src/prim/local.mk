@@ -1,1 +1,12 @@
-src_libalidade_la_SOURCES +=
+src_libalidade_la_SOURCES += \
+	src/prim/box.c \
+	src/prim/compile.c src/prim/compile.h \
+	src/prim/cone.c \
+	src/prim/disc.c \
+	src/prim/layout.c src/prim/layout.h \
+	src/prim/mesh.c \
+	src/prim/plane.c \
+	src/prim/prim.h \
+	src/prim/shape.c \
+	src/prim/sphere.c \
+	src/prim/torus.c

@@ -33,3 +33,10 @@ tests_unit_test_stats_LDADD = $(UNIT_LIBS)
 TESTS += tests/unit/test_options tests/unit/test_progress tests/unit/test_settings \
 	tests/unit/test_stats
 endif
+if HAVE_CMOCKA
+check_PROGRAMS += tests/unit/test_trace
+tests_unit_test_trace_SOURCES = tests/unit/test_trace.c
+tests_unit_test_trace_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_trace_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_trace
+endif

@@ -1,0 +1,70 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Inside of struct geometry, for the files of this folder.
+ */
+#ifndef ALIDADE_ACCEL_GEOMETRY_H
+#define ALIDADE_ACCEL_GEOMETRY_H
+
+#include "accel/host.h"
+#include "accel/trace.h"
+#include "prim/compile.h"
+
+#define TRACE_BATCH 1024u /* rays that go to a plugin in one call, at most */
+
+struct view { /* a level, as a plugin sees it; the plugin is given a pointer to prims */
+	ald_prims prims;
+	const struct geometry *geometry;
+	const struct prim_level *level;
+	ald_frame frame;
+	ald_accel *accel; /* NULL: nothing in it */
+	size_t scratch; /* bytes per thread */
+};
+
+struct query { /* what a plugin hands back to us with each call; it sees q only */
+	ald_query q;
+	struct worker *worker;
+};
+
+struct worker { /* one per thread; nothing here is shared */
+	struct query *query; /* [levels] */
+	uint64_t count[ALD_COUNT_MAX];
+	ald_ray ray[TRACE_BATCH], inner_ray[TRACE_BATCH];
+	ald_hit hit[TRACE_BATCH], inner_hit[TRACE_BATCH];
+	uint32_t plane[TRACE_BATCH], slot[TRACE_BATCH];
+	uint8_t hidden[TRACE_BATCH];
+};
+
+struct geometry {
+	struct prim_set set;
+	struct mem_book *book;
+	const ald_accel_plugin *plugin;
+	struct accel_host host;
+	struct view *view; /* [set.level_count] */
+	uint32_t threads;
+	struct worker **worker; /* [threads] */
+	double seconds;
+};
+
+/* prims->bounds(), intersect() and intersect_n(), of instance.c. */
+void view_bounds(const ald_prims *, uint32_t id, ald_box *);
+int view_intersect(const ald_prims *, uint32_t id, ald_query *, const ald_ray *, ald_hit *);
+void view_intersect_n(const ald_prims *, uint32_t id, ald_query *, const ald_ray *, ald_hit *,
+		      const uint8_t *live, uint32_t n);
+
+/* The plugin's functions, with what is said in accel.h where it offers none. */
+void accel_nearest_n(const ald_accel_plugin *, const ald_accel *, ald_query *, const ald_ray *, ald_hit *,
+		     uint32_t n, uint32_t hints);
+void accel_occluded_n(const ald_accel_plugin *, const ald_accel *, ald_query *, const ald_ray *,
+		      uint8_t *hidden, uint32_t n, uint32_t hints);
+/* Member f of the plugin's struct, or NULL if it ends before it. */
+#define ACCEL_HAS(plugin, f)                                                                       \
+	((plugin)->size >= offsetof(ald_accel_plugin, f) + sizeof((plugin)->f) && (plugin)->f)
+
+/* Which leaf a level's primitive belongs to, and which face of its mesh it is. */
+uint32_t view_leaf(const struct prim_level *, uint32_t id, uint32_t *face);
+
+/* Every primitive, one after the other: what is used when no plugin was chosen. */
+extern const ald_accel_plugin accel_brute;
+
+#endif

@@ -1,0 +1,88 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Which solids hold a point.
+ */
+#include "accel/geometry.h"
+
+/* Does the half-line from the origin to +x, in the plane, cross the edge from a to b? Half-open in y, and
+ * computed from the lower end upwards, so that both triangles at an edge get the same answer. */
+static bool crosses(const double a[2], const double b[2])
+{
+	if ((a[1] > 0) == (b[1] > 0))
+		return false;
+	return a[1] < b[1] ? a[0] * b[1] - a[1] * b[0] > 0 : b[0] * a[1] - b[1] * a[0] > 0;
+}
+
+/* The parity of the faces ahead. Each face's shadow on the plane across the direction is tested by the
+ * parity of edges crossed: every point of the plane is then counted to exactly one side of every edge,
+ * and a closed mesh has no gaps and no doubles, whatever the ray meets. */
+static bool mesh_holds(const struct mesh *m, vec at)
+{
+	const double *d = &m->inside.x;
+	ald_frame frame = { at, 0 };
+	ald_ray ray = { .org = at, .dir = m->inside };
+	bool odd = false;
+	ald_prep p;
+
+	if (!vec_finite(at) || !(d[0] != 0 || d[1] != 0 || d[2] != 0))
+		return false;
+	ald_ray_prep(&frame, &ray, &p);
+	for (uint32_t i = 0; i < m->triangle_count; i++) {
+		double q[3][2];
+		vec c[3];
+
+		for (unsigned k = 0; k < 3; k++) {
+			const double *v = m->vertex + 3 * (size_t)m->index[3 * (size_t)i + k];
+			double z = v[p.kz] - p.o[p.kz];
+
+			c[k] = vec_make(v[0], v[1], v[2]);
+			q[k][0] = (v[p.kx] - p.o[p.kx]) - p.shear[0] * z;
+			q[k][1] = (v[p.ky] - p.o[p.ky]) - p.shear[1] * z;
+		}
+		if (crosses(q[0], q[1]) ^ crosses(q[1], q[2]) ^ crosses(q[2], q[0]))
+			odd ^= ald_triangle_t(&p, &c[0], &c[1], &c[2]) > 0;
+	}
+	return odd;
+}
+
+/* False if the leaf has no inside at all. */
+static bool leaf_holds(const struct geometry *g, const struct prim_leaf *f, vec world, vec level)
+{
+	const struct scene *sc = g->set.scene;
+	bool in;
+
+	if (f->kind == SHAPE_MESH) {
+		if (!sc->mesh[f->mesh].has_inside)
+			return false;
+		in = mesh_holds(&sc->mesh[f->mesh], mat_point(&f->place.inv, world));
+	} else if (f->item == SCENE_NONE || f->kind == SHAPE_DISC ||
+		   (f->kind == SHAPE_CONE && sc->object[f->object].shape.cone.open)) {
+		return false;
+	} else if (f->kind == SHAPE_PLANE) {
+		in = plane_inside(&g->set.unbounded[f->item].plane, level);
+	} else {
+		in = prim_inside(&g->set.level[0].prim[f->item], level);
+	}
+	return f->flags & OBJECT_INVERSE ? !in : in;
+}
+
+uint32_t geometry_inside(const struct geometry *g, vec p, uint32_t *object, uint32_t room)
+{
+	vec level = prim_level_point(&g->set.level[0], p);
+	uint32_t n = 0;
+
+	for (uint32_t i = 0; i < g->set.leaf_count; i++) {
+		if (!leaf_holds(g, &g->set.leaf[i], p, level))
+			continue;
+		if (n < room)
+			object[n] = i;
+		n++;
+	}
+	return n;
+}
+
+uint32_t geometry_object_interior(const struct geometry *g, uint32_t object)
+{
+	return g->set.leaf[object].interior;
+}

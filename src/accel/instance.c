@@ -1,0 +1,163 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Primitives as plugins see them, instances among them: an instance is one primitive of level 0 that asks
+ * an accelerator of the same plugin over its own level.
+ */
+#include <string.h>
+
+#include "accel/geometry.h"
+
+void view_bounds(const ald_prims *prims, uint32_t id, ald_box *out)
+{
+	const struct view *v = (const struct view *)prims;
+	const struct prim_level *l = v->level;
+	vec c[3];
+
+	if (id >= l->tri_count + l->prim_count) {
+		*out = l->instance[id - l->tri_count - l->prim_count].box;
+		return;
+	}
+	if (id >= l->tri_count) {
+		*out = l->prim[id - l->tri_count].box;
+		return;
+	}
+	prim_triangle(l, id, c);
+	*out = (ald_box){ c[0], c[0] };
+	ald_box_join(out, &(ald_box){ c[1], c[1] });
+	ald_box_join(out, &(ald_box){ c[2], c[2] });
+	out->lo = vec_sub(out->lo, vec_make(l->pad, l->pad, l->pad));
+	out->hi = vec_add(out->hi, vec_make(l->pad, l->pad, l->pad));
+}
+
+/* The ray in the inner level; t is the same number there. A next-hit walk inside this instance goes on
+ * where it was; in one with a greater id hits at tmin itself count, in one with a smaller id they have
+ * been seen. */
+static void inner_ray(const struct prim_instance *p, uint32_t id, const ald_ray *r, const ald_hit *hit,
+		      ald_ray *in, ald_hit *found)
+{
+	*in = *r;
+	in->org = mat_dir(&p->to, vec_sub(r->org, p->centre));
+	in->dir = mat_dir(&p->to, r->dir);
+	in->tmax = hit->t;
+	in->skip = ALD_NONE;
+	in->after = ALD_NONE;
+	if (r->after == id)
+		in->after = r->after_sub[0];
+	else if (r->after != ALD_NONE && id > r->after)
+		in->tmin = ald_down(r->tmin);
+	*found = (ald_hit){ .t = in->tmax, .prim = ALD_NONE };
+}
+
+static int take_inner(uint32_t id, const ald_hit *found, ald_hit *hit)
+{
+	if (found->prim == ALD_NONE || !ald_wins(found->t, id, hit))
+		return 0;
+	*hit = (ald_hit){ .t = found->t, .u = found->u, .v = found->v, .prim = id,
+			  .sub = { found->prim, found->part } };
+	return 1;
+}
+
+static int intersect_instance(const struct view *v, uint32_t id, ald_query *q, const ald_ray *r,
+			      ald_hit *hit)
+{
+	const struct prim_level *l = v->level;
+	const struct prim_instance *p = &l->instance[id - l->tri_count - l->prim_count];
+	const struct geometry *g = v->geometry;
+	struct worker *w = ((struct query *)q)->worker;
+	ald_ray in;
+	ald_hit found;
+
+	inner_ray(p, id, r, hit, &in, &found);
+	g->plugin->intersect(g->view[p->level].accel, &w->query[p->level].q, &in, &found);
+	return take_inner(id, &found, hit);
+}
+
+int view_intersect(const ald_prims *prims, uint32_t id, ald_query *q, const ald_ray *r, ald_hit *hit)
+{
+	const struct view *v = (const struct view *)prims;
+	const struct prim_level *l = v->level;
+	ald_prep prep;
+	vec c[3];
+
+	if (!ald_sees(prims, r, id))
+		return 0;
+	if (id >= l->tri_count + l->prim_count)
+		return intersect_instance(v, id, q, r, hit);
+	if (id >= l->tri_count)
+		return prim_intersect(&l->prim[id - l->tri_count], id, r, hit);
+	ald_ray_prep(&v->frame, r, &prep);
+	prim_triangle(l, id, c);
+	return ald_triangle(&prep, r, c, id, hit);
+}
+
+static void intersect_instance_n(const struct view *v, uint32_t id, ald_query *q, const ald_ray *r,
+				 ald_hit *hit, const uint8_t *live, uint32_t n)
+{
+	const struct prim_level *l = v->level;
+	const struct prim_instance *p = &l->instance[id - l->tri_count - l->prim_count];
+	const struct geometry *g = v->geometry;
+	struct worker *w = ((struct query *)q)->worker;
+	uint32_t m = 0;
+
+	for (uint32_t i = 0; i < n || m; i++) {
+		if (i < n && live[i] && ald_sees(&v->prims, &r[i], id)) {
+			inner_ray(p, id, &r[i], &hit[i], &w->inner_ray[m], &w->inner_hit[m]);
+			w->slot[m++] = i;
+		}
+		if (m < TRACE_BATCH && i + 1 < n)
+			continue;
+		accel_nearest_n(g->plugin, g->view[p->level].accel, &w->query[p->level].q, w->inner_ray,
+				w->inner_hit, m, 0);
+		for (uint32_t k = 0; k < m; k++)
+			take_inner(id, &w->inner_hit[k], &hit[w->slot[k]]);
+		m = 0;
+	}
+}
+
+void view_intersect_n(const ald_prims *prims, uint32_t id, ald_query *q, const ald_ray *r, ald_hit *hit,
+		      const uint8_t *live, uint32_t n)
+{
+	const struct view *v = (const struct view *)prims;
+
+	if (id >= v->level->tri_count + v->level->prim_count) {
+		intersect_instance_n(v, id, q, r, hit, live, n);
+		return;
+	}
+	for (uint32_t i = 0; i < n; i++) {
+		if (live[i])
+			view_intersect(prims, id, q, &r[i], &hit[i]);
+	}
+}
+
+void accel_nearest_n(const ald_accel_plugin *p, const ald_accel *a, ald_query *q, const ald_ray *r,
+		     ald_hit *hit, uint32_t n, uint32_t hints)
+{
+	if (!n)
+		return;
+	if (ACCEL_HAS(p, intersect_n)) {
+		p->intersect_n(a, q, r, hit, n, hints);
+		return;
+	}
+	for (uint32_t i = 0; i < n; i++)
+		p->intersect(a, q, &r[i], &hit[i]);
+}
+
+void accel_occluded_n(const ald_accel_plugin *p, const ald_accel *a, ald_query *q, const ald_ray *r,
+		      uint8_t *hidden, uint32_t n, uint32_t hints)
+{
+	if (!n)
+		return;
+	if (ACCEL_HAS(p, occluded_n)) {
+		p->occluded_n(a, q, r, hidden, n, hints);
+		return;
+	}
+	for (uint32_t i = 0; i < n; i++) {
+		ald_hit h = { .t = r[i].tmax, .prim = ALD_NONE };
+
+		if (ACCEL_HAS(p, occluded))
+			hidden[i] = p->occluded(a, q, &r[i]) != 0;
+		else
+			hidden[i] = p->intersect(a, q, &r[i], &h) != 0;
+	}
+}

@@ -1,0 +1,183 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * What shading needs to know of a hit, found once, after traversal.
+ *
+ * Points are placed on the primitive itself rather than along the ray, and come with a bound on their
+ * distance from it (running error analysis as in Pharr, Jakob, Humphreys: Physically Based Rendering,
+ * 4th ed., 6.8; Waechter and Binder, Ray Tracing Gems 6, 2019).
+ */
+#include "accel/geometry.h"
+
+struct place { /* in level coordinates */
+	vec p, n;
+	double error;
+};
+
+uint32_t view_leaf(const struct prim_level *l, uint32_t id, uint32_t *face)
+{
+	uint32_t lo = 0, hi = l->group_count, n;
+
+	while (hi - lo > 1) {
+		uint32_t mid = lo + (hi - lo) / 2;
+
+		if (l->group_first[mid] <= id)
+			lo = mid;
+		else
+			hi = mid;
+	}
+	n = id - l->group_first[lo];
+	*face = l->group[lo].face ? l->group[lo].face[n] : n;
+	return l->group[lo].leaf;
+}
+
+static double size_of(vec p)
+{
+	return fabs(p.x) + fabs(p.y) + fabs(p.z);
+}
+
+/* By its corners' weights, which keeps the point in the plane whatever the error of t. */
+static void place_triangle(const struct prim_level *l, uint32_t id, double u, double v, struct place *out)
+{
+	vec c[3], n;
+	double w = 1 - u - v;
+
+	prim_triangle(l, id, c);
+	out->p = vec_add(vec_add(vec_scale(c[0], w), vec_scale(c[1], u)), vec_scale(c[2], v));
+	n = vec_cross(vec_sub(c[1], c[0]), vec_sub(c[2], c[0]));
+	/* Scaled before it is squared: tiny triangles. */
+	out->n = vec_unit(vec_scale(n, 1 / fmax(fabs(n.x), fmax(fabs(n.y), fabs(n.z)))));
+	out->error = 64 * ALD_U * fmax(size_of(c[0]), fmax(size_of(c[1]), size_of(c[2])));
+}
+
+static void mesh_normal(const struct prim_leaf *f, const struct mesh *m, uint32_t face, struct surface *s)
+{
+	const uint32_t *i = (m->normal_index ? m->normal_index : m->index) + 3 * (size_t)face;
+	vec n = { 0, 0, 0 };
+
+	for (unsigned k = 0; k < 3; k++) {
+		const float *v = m->normal + 3 * (size_t)i[k];
+
+		n = vec_mad(n, vec_make((double)v[0], (double)v[1], (double)v[2]), s->bary[k]);
+	}
+	n = vec_unit(mat_normal(&f->place.inv, n));
+	if (vec_finite(n) && vec_dot(n, n) > 0.5)
+		s->ns = n;
+}
+
+static void mesh_surface(const struct scene *sc, const struct prim_leaf *f, uint32_t face, double u,
+			 double v, struct surface *s)
+{
+	const struct mesh *m = &sc->mesh[f->mesh];
+
+	s->bary[0] = 1 - u - v;
+	s->bary[1] = u;
+	s->bary[2] = v;
+	if (m->normal && face < m->smooth_count)
+		mesh_normal(f, m, face, s);
+	if (!m->texture)
+		return;
+	for (uint32_t k = 0; k < 3; k++) {
+		uint32_t per = m->textures_per_face;
+		uint32_t t = m->texture[(size_t)face * per + (per == 3 ? k : 0)];
+
+		if (t != SCENE_NONE)
+			s->texture[k] = t;
+	}
+}
+
+/* From an instanced level to level 0; rounding on the way, and on the next ray's way back, included. */
+static void leave_instance(const struct prim_instance *in, struct place *at)
+{
+	vec off = mat_dir(&in->from, at->p), n = mat_normal(&in->to, at->n);
+	double l = vec_length(n), round = 0;
+
+	for (unsigned j = 0; j < 3; j++) {
+		for (unsigned i = 0; i < 3; i++)
+			round += fabs((&off.x)[i] * in->to.m[i][j]) +
+				 fabs((&at->p.x)[i] * in->from.m[i][j]) * l;
+	}
+	at->p = vec_add(in->centre, off);
+	at->n = vec_scale(n, 1 / l);
+	at->error = (at->error + 32 * ALD_U * round) / l + 8 * ALD_U * (size_of(at->p) + size_of(in->centre));
+}
+
+static void leave_world(const struct prim_level *l, const struct place *at, struct surface *s)
+{
+	s->p = vec_add(vec_scale(at->p, 1 / l->scale), l->shift);
+	s->n = s->ns = at->n;
+	s->error = at->error / l->scale + 4 * ALD_U * (size_of(s->p) + size_of(l->shift));
+}
+
+static void leaf_surface(const struct prim_leaf *f, uint32_t leaf, struct surface *s)
+{
+	s->texture[0] = s->texture[1] = s->texture[2] = f->texture;
+	s->interior_texture = f->interior_texture;
+	s->interior = f->interior;
+	s->object = leaf;
+	s->flags = f->flags;
+	s->bary[0] = 1;
+	s->bary[1] = s->bary[2] = 0;
+}
+
+static void level_ray(const struct prim_level *l, const ald_ray *in, ald_ray *out)
+{
+	*out = *in;
+	out->org = prim_level_point(l, in->org);
+	out->dir = vec_scale(in->dir, l->scale);
+}
+
+void surface_at(const struct geometry *g, const ald_ray *ray, const ald_hit *hit, struct surface *s)
+{
+	const struct prim_level *l = &g->set.level[0];
+	const struct prim_leaf *f;
+	uint32_t leaf, face = 0, id = hit->prim;
+	bool mesh = false;
+	struct place at;
+	ald_ray r;
+
+	s->planar = false;
+	if (id < l->tri_count) {
+		leaf = view_leaf(l, id, &face);
+		place_triangle(l, id, hit->u, hit->v, &at);
+		if (g->set.leaf[leaf].mirrored)
+			at.n = vec_neg(at.n);
+		mesh = s->planar = true;
+	} else if (id >= l->count) {
+		leaf = g->set.unbounded[id - l->count].leaf;
+		level_ray(l, ray, &r);
+		plane_surface(&g->set.unbounded[id - l->count].plane, &r, hit, &at.p, &at.n, &at.error);
+		s->planar = true;
+	} else if (id < l->tri_count + l->prim_count) {
+		const struct prim *p = &l->prim[id - l->tri_count];
+
+		leaf = view_leaf(l, id, &face);
+		level_ray(l, ray, &r);
+		prim_surface(p, &r, hit, &at.p, &at.n, &at.error);
+		s->planar = p->kind == SHAPE_DISC;
+	} else {
+		const struct prim_instance *in = &l->instance[id - l->tri_count - l->prim_count];
+
+		leaf = in->leaf;
+		view_leaf(&g->set.level[in->level], hit->sub[0], &face);
+		place_triangle(&g->set.level[in->level], hit->sub[0], hit->u, hit->v, &at);
+		leave_instance(in, &at);
+		mesh = true;
+	}
+	f = &g->set.leaf[leaf];
+	leaf_surface(f, leaf, s);
+	leave_world(l, &at, s);
+	if (mesh)
+		mesh_surface(g->set.scene, f, face, hit->u, hit->v, s);
+	else if (f->flags & OBJECT_INVERSE)
+		s->n = s->ns = vec_neg(s->n);
+}
+
+double surface_error(const struct geometry *g, const ald_ray *ray, const ald_hit *hit,
+		     const struct surface *s)
+{
+	(void)g;
+	(void)ray;
+	(void)hit;
+	return s->error;
+}

@@ -1,0 +1,119 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Batches of world rays to the accelerator and the unbounded list, and back.
+ */
+#include "accel/geometry.h"
+
+static bool sound(const ald_ray *r)
+{
+	return vec_finite(r->org) && vec_finite(r->dir) &&
+	       (r->dir.x != 0 || r->dir.y != 0 || r->dir.z != 0) && r->tmin <= r->tmax;
+}
+
+/* Seen by nothing, and outside of every volume. */
+static void kill_ray(ald_ray *r)
+{
+	r->org = vec_make(0, 0, 0);
+	r->dir = vec_make(1, 0, 0);
+	r->tmin = ALD_INF;
+	r->tmax = -ALD_INF;
+	r->mask = 0;
+}
+
+static void enter_level(const struct prim_level *l, const ald_ray *in, ald_ray *out)
+{
+	*out = *in;
+	if (!sound(in)) {
+		kill_ray(out);
+		return;
+	}
+	out->org = prim_level_point(l, in->org);
+	out->dir = vec_scale(in->dir, l->scale);
+}
+
+/* The nearest plane: it becomes the ray's tmax, so that the accelerator looks no further; ties go to the
+ * accelerator, whose ids are smaller. */
+static uint32_t nearest_plane(const struct geometry *g, struct worker *w, ald_ray *r)
+{
+	uint32_t count = g->set.level[0].count, best = ALD_NONE;
+	ald_hit h = { .t = r->tmax, .prim = ALD_NONE };
+	double t;
+
+	for (uint32_t i = 0; i < g->set.unbounded_count; i++) {
+		const struct prim_unbounded *u = &g->set.unbounded[i];
+		uint32_t id = count + i;
+
+		if (!(u->mask & r->mask) || id == r->skip)
+			continue;
+		if (w->query[0].q.count)
+			w->count[ALD_COUNT_PRIMS]++;
+		if (!plane_intersect(&u->plane, r, &t) || !ald_counts(r, t, id, &h))
+			continue;
+		h.t = t;
+		h.prim = best = id;
+	}
+	if (best != ALD_NONE)
+		r->tmax = h.t;
+	return best;
+}
+
+void trace_nearest(const struct geometry *g, uint32_t thread, const ald_ray *rays, ald_hit *hits,
+		   uint32_t n, uint32_t hints)
+{
+	struct worker *w = g->worker[thread];
+
+	for (uint32_t first = 0; first < n; first += TRACE_BATCH) {
+		uint32_t m = n - first < TRACE_BATCH ? n - first : TRACE_BATCH;
+		ald_hit *hit = hits + first;
+
+		for (uint32_t i = 0; i < m; i++) {
+			enter_level(&g->set.level[0], &rays[first + i], &w->ray[i]);
+			w->plane[i] = nearest_plane(g, w, &w->ray[i]);
+			hit[i] = (ald_hit){ .t = w->ray[i].tmax, .prim = ALD_NONE };
+		}
+		if (g->view[0].accel)
+			accel_nearest_n(g->plugin, g->view[0].accel, &w->query[0].q, w->ray, hit, m,
+					hints);
+		for (uint32_t i = 0; g->set.unbounded_count && i < m; i++) {
+			if (hit[i].prim == ALD_NONE)
+				hit[i].prim = w->plane[i];
+		}
+	}
+}
+
+void trace_occluded(const struct geometry *g, uint32_t thread, const ald_ray *rays, uint8_t *hidden,
+		    uint32_t n, uint32_t hints)
+{
+	struct worker *w = g->worker[thread];
+
+	for (uint32_t first = 0; first < n; first += TRACE_BATCH) {
+		uint32_t m = n - first < TRACE_BATCH ? n - first : TRACE_BATCH, live = 0;
+
+		/* Only those that no plane hides go on. */
+		for (uint32_t i = 0; i < m; i++) {
+			ald_ray *r = &w->ray[live];
+
+			enter_level(&g->set.level[0], &rays[first + i], r);
+			hidden[first + i] = nearest_plane(g, w, r) != ALD_NONE;
+			if (hidden[first + i])
+				continue;
+			w->plane[live] = i;
+			w->hidden[live++] = 0;
+		}
+		if (!g->view[0].accel)
+			continue;
+		accel_occluded_n(g->plugin, g->view[0].accel, &w->query[0].q, w->ray, w->hidden, live,
+				 hints);
+		for (uint32_t i = 0; i < live; i++)
+			hidden[first + w->plane[i]] = w->hidden[i];
+	}
+}
+
+void trace_after(ald_ray *r, const ald_hit *hit)
+{
+	r->tmin = hit->t;
+	r->after = hit->prim;
+	r->after_sub[0] = hit->sub[0];
+	r->after_sub[1] = hit->sub[1];
+}

@@ -1,0 +1,105 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * A scene's objects laid out as numbered primitives.
+ *
+ * Unions are flattened to leaves. A leaf's triangles are baked into level 0, which is the world moved and
+ * scaled by a power of two; a larger mesh that several leaves share gets a level of its own, in its own
+ * coordinates, and stands in level 0 as instances. Ids of a level are its triangles, group by group, then
+ * its analytic primitives, then its instances. Infinite planes have no id in a level.
+ */
+#ifndef ALIDADE_PRIM_COMPILE_H
+#define ALIDADE_PRIM_COMPILE_H
+
+#include "base/diag.h"
+#include "prim/prim.h"
+
+/* A primitive's mask: what kinds of ray see it. Same bits as accel/trace.h's enum trace_mask. */
+enum prim_mask {
+	PRIM_CAMERA = 1,
+	PRIM_REFLECTED = 2,
+	PRIM_OTHER = 4,
+	PRIM_SHADOW_OPAQUE = 8,
+	PRIM_SHADOW_CLEAR = 16
+};
+
+struct prim_leaf { /* an object that is no union, with all that it inherits */
+	uint32_t object; /* in the scene */
+	enum shape_kind kind;
+	struct xform place; /* own coordinates to the world */
+	bool mirrored; /* place turns left hands into right ones */
+	uint32_t texture, interior_texture, interior, mesh;
+	unsigned flags;
+	uint32_t level; /* the instanced mesh's, or 0 */
+	uint32_t item; /* index among level 0's analytic primitives, its instances, or the unbounded ones;
+			  SCENE_NONE: baked mesh, or dropped */
+};
+
+struct prim_group { /* ids of one leaf that stand together */
+	uint32_t leaf; /* SCENE_NONE in the level of an instanced mesh */
+	uint32_t *face; /* face of the mesh by id - first id; NULL: the same */
+};
+
+struct prim_instance {
+	uint32_t leaf, level;
+	vec centre; /* where the inner level's origin lies in level 0 */
+	struct mat to, from; /* level 0 to inner and back, linear parts */
+	ald_box box;
+};
+
+struct prim_level {
+	vec shift; /* level = (world or object coordinates - shift) * scale */
+	double scale; /* a power of two */
+	double size, pad; /* extent D0, and 16 u of it (R4) */
+	ald_box box; /* of the padded boxes */
+	uint32_t count, tri_count, prim_count, instance_count;
+	uint32_t group_count;
+	uint32_t *group_first; /* [group_count + 1] */
+	struct prim_group *group;
+	uint32_t vertex_count;
+	void *vertex;
+	bool vertex_double;
+	uint32_t *index;
+	uint32_t *mask; /* [count] or NULL */
+	struct prim *prim;
+	struct prim_instance *instance;
+};
+
+struct prim_unbounded {
+	struct prim_plane plane;
+	uint32_t leaf, mask;
+};
+
+struct prim_set {
+	const struct scene *scene;
+	struct mem_book *book;
+	uint32_t leaf_count;
+	struct prim_leaf *leaf;
+	uint32_t level_count; /* at least 1 */
+	struct prim_level *level;
+	uint32_t unbounded_count;
+	struct prim_unbounded *unbounded;
+	uint64_t dropped;
+	ald_box world; /* of the finite geometry; empty if there is none */
+};
+
+/* All memory is booked under "geometry". On failure *out is released. */
+enum status prim_compile(struct prim_set *out, const struct scene *, struct mem_book *, struct diag *);
+void prim_set_release(struct prim_set *);
+
+/* Shared by compile.c, layout.c and mesh.c. */
+
+/* Scale and shift for this box (lo > hi: nothing). */
+void prim_level_frame(struct prim_level *, const ald_box *);
+vec prim_level_point(const struct prim_level *, vec p);
+/* The map from mesh to level coordinates: the leaf's place (NULL: none), then the level's frame. */
+struct mat prim_bake_mat(const struct prim_level *, const struct xform *place);
+bool prim_join_mesh(ald_box *, const struct mesh *, const struct mat *);
+/* Add the mesh's triangles to the level as one group; group arrays have room. */
+enum status prim_bake_mesh(struct prim_set *, struct prim_level *, const struct mesh *, uint32_t leaf,
+			   const struct mat *, struct diag *);
+void prim_narrow_vertices(struct prim_level *); /* to float, if that loses nothing */
+void prim_triangle(const struct prim_level *, uint32_t id, vec v[3]);
+unsigned prim_texture_mask(const struct scene *, uint32_t texture, uint32_t interior_texture);
+
+#endif

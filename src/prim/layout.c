@@ -1,0 +1,347 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Filling levels: counting what there is, memory in one go, then triangles, analytic primitives and
+ * instances in this order.
+ */
+#include "prim/layout.h"
+
+struct sums {
+	uint64_t triangles, vertices, prims, instances, groups, planes;
+};
+
+static bool is_bounded(enum shape_kind k)
+{
+	return k == SHAPE_SPHERE || k == SHAPE_BOX || k == SHAPE_CONE || k == SHAPE_DISC ||
+	       k == SHAPE_TORUS;
+}
+
+static unsigned leaf_mask(unsigned flags)
+{
+	unsigned m = PRIM_OTHER;
+
+	if (!(flags & OBJECT_NO_IMAGE))
+		m |= PRIM_CAMERA;
+	if (!(flags & OBJECT_NO_REFLECTION))
+		m |= PRIM_REFLECTED;
+	if (!(flags & OBJECT_NO_SHADOW))
+		m |= PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR;
+	return m;
+}
+
+/* Shadow bits of a face of a mesh whose object has these textures. */
+static unsigned face_mask(const struct scene *s, const struct mesh *m, uint32_t face, unsigned own,
+			  uint32_t interior_texture)
+{
+	unsigned bits = 0;
+
+	if (!m->texture)
+		return own;
+	for (uint32_t k = 0; k < m->textures_per_face; k++) {
+		uint32_t t = m->texture[(size_t)face * m->textures_per_face + k];
+
+		bits |= t == SCENE_NONE ? own : prim_texture_mask(s, t, interior_texture);
+	}
+	/* Blended corners let light through if one of them does. */
+	return bits & PRIM_SHADOW_CLEAR && own != (PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR) ?
+		       PRIM_SHADOW_CLEAR :
+		       bits;
+}
+
+static uint32_t face_of(const struct prim_level *l, uint32_t g, uint32_t id)
+{
+	uint32_t n = id - l->group_first[g];
+
+	return l->group[g].face ? l->group[g].face[n] : n;
+}
+
+static void mask_triangles(struct prim_set *s, struct prim_level *l, uint32_t g, uint32_t end,
+			   const struct mesh *m, unsigned flags, unsigned own, uint32_t interior)
+{
+	for (uint32_t i = l->group_first[g]; i < end; i++)
+		l->mask[i] = (flags & ~(unsigned)(PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR)) |
+			     (flags & face_mask(s->scene, m, face_of(l, g, i), own, interior));
+}
+
+static void *take(struct prim_set *s, uint64_t n, size_t size, bool *ok)
+{
+	void *p = mem_zalloc(s->book, "geometry",
+			     n > SIZE_MAX / 2 ? SIZE_MAX : mem_product((size_t)n + 1, size));
+
+	*ok = *ok && p;
+	return p;
+}
+
+static enum status take_level(struct prim_set *s, struct prim_level *l, const struct sums *n, bool mask,
+			      struct diag *diag)
+{
+	uint64_t ids = n->triangles + n->prims + n->instances;
+	bool ok = true;
+
+	if (ids + n->planes >= UINT32_MAX - 1 || n->vertices >= UINT32_MAX)
+		return diag_fail(diag, STATUS_FAILED, NULL,
+				 "the scene has %llu primitives; at most 4294967293 can be numbered",
+				 (unsigned long long)(ids + n->planes));
+	l->group_first = take(s, n->groups, sizeof(*l->group_first), &ok);
+	l->group = take(s, n->groups, sizeof(*l->group), &ok);
+	l->vertex = take(s, n->vertices, 3 * sizeof(double), &ok);
+	l->index = take(s, n->triangles, 3 * sizeof(uint32_t), &ok);
+	l->prim = take(s, n->prims, sizeof(*l->prim), &ok);
+	l->instance = take(s, n->instances, sizeof(*l->instance), &ok);
+	if (mask)
+		l->mask = take(s, ids, sizeof(*l->mask), &ok);
+	if (!ok)
+		return diag_no_memory(diag, "the geometry",
+				      n->vertices * 24 + n->triangles * 16 + n->prims * sizeof(*l->prim) +
+					      n->instances * sizeof(*l->instance));
+	return STATUS_OK;
+}
+
+static void join_triangles(struct prim_level *l)
+{
+	for (uint32_t i = 0; i < l->tri_count; i++) {
+		vec v[3];
+
+		prim_triangle(l, i, v);
+		for (unsigned k = 0; k < 3; k++)
+			ald_box_join(&l->box, &(ald_box){ v[k], v[k] });
+	}
+	if (!l->tri_count)
+		return;
+	for (unsigned k = 0; k < 3; k++) {
+		(&l->box.lo.x)[k] -= l->pad;
+		(&l->box.hi.x)[k] += l->pad;
+	}
+}
+
+enum status layout_mesh_level(struct prim_set *s, uint32_t level, struct diag *diag)
+{
+	struct prim_level *l = &s->level[level];
+	const struct mesh *m = NULL;
+	struct sums n = { .groups = 1 };
+	ald_box box = ald_box_empty();
+	struct mat mat;
+	enum status st;
+
+	for (uint32_t i = 0; i < s->leaf_count && !m; i++) {
+		if (s->leaf[i].level == level)
+			m = &s->scene->mesh[s->leaf[i].mesh];
+	}
+	l->box = ald_box_empty();
+	if (!m)
+		return STATUS_OK;
+	n.triangles = m->triangle_count;
+	n.vertices = m->vertex_count;
+	prim_join_mesh(&box, m, &mat_identity);
+	prim_level_frame(l, &box);
+	st = take_level(s, l, &n, m->texture != NULL, diag);
+	if (st)
+		return st;
+	mat = prim_bake_mat(l, NULL);
+	st = prim_bake_mesh(s, l, m, SCENE_NONE, &mat, diag);
+	if (st)
+		return st;
+	l->group_first[1] = l->tri_count;
+	l->count = l->tri_count;
+	prim_narrow_vertices(l);
+	if (l->mask)
+		mask_triangles(s, l, 0, l->tri_count, m, ~0u, PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR,
+			       SCENE_NONE);
+	join_triangles(l);
+	return STATUS_OK;
+}
+
+/* Where a leaf lies in the world; false: nowhere, or without bounds. */
+static bool leaf_box(const struct prim_set *s, const struct prim_leaf *f, ald_box *box)
+{
+	const struct object *o = &s->scene->object[f->object];
+	struct prim p;
+
+	if (f->kind == SHAPE_MESH)
+		return prim_join_mesh(box, &s->scene->mesh[f->mesh], &f->place.fwd);
+	if (!is_bounded(f->kind) ||
+	    !prim_make(&p, o, &f->place, vec_make(0, 0, 0), 1, 0, 0))
+		return false;
+	ald_box_join(box, &p.box);
+	return true;
+}
+
+static void count_world(struct prim_set *s, struct sums *n)
+{
+	for (uint32_t i = 0; i < s->leaf_count; i++) {
+		const struct prim_leaf *f = &s->leaf[i];
+
+		n->groups++;
+		if (f->level) {
+			n->instances++;
+		} else if (f->kind == SHAPE_MESH) {
+			n->triangles += s->scene->mesh[f->mesh].triangle_count;
+			n->vertices += s->scene->mesh[f->mesh].vertex_count;
+		} else if (is_bounded(f->kind)) {
+			n->prims++;
+		} else if (f->kind == SHAPE_PLANE) {
+			n->planes++;
+		}
+	}
+}
+
+static void add_group(struct prim_level *l, uint32_t leaf)
+{
+	l->group[l->group_count].leaf = leaf;
+	l->group_first[l->group_count++] = l->count;
+}
+
+static void add_prim(struct prim_set *s, struct prim_level *l, uint32_t leaf)
+{
+	const struct prim_leaf *f = &s->leaf[leaf];
+	struct prim *p = &l->prim[l->prim_count];
+	const struct object *o = &s->scene->object[f->object];
+
+	if (!prim_make(p, o, &f->place, l->shift, l->scale, l->size, l->pad)) {
+		s->dropped++;
+		return;
+	}
+	add_group(l, leaf);
+	l->mask[l->count++] = leaf_mask(f->flags) &
+			      (prim_texture_mask(s->scene, f->texture, f->interior_texture) |
+			       ~(unsigned)(PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR));
+	s->leaf[leaf].item = l->prim_count++;
+	ald_box_join(&l->box, &p->box);
+}
+
+/* The inner box's corners, mapped, and grown by what mapping a ray can do to it. */
+static void bound_instance(struct prim_instance *p, const struct prim_level *in,
+			   const struct prim_level *out)
+{
+	p->box = ald_box_empty();
+	for (unsigned i = 0; i < 8; i++) {
+		vec c = { i & 1 ? in->box.hi.x : in->box.lo.x, i & 2 ? in->box.hi.y : in->box.lo.y,
+			  i & 4 ? in->box.hi.z : in->box.lo.z };
+		vec q = vec_add(mat_dir(&p->from, c), p->centre);
+
+		ald_box_join(&p->box, &(ald_box){ q, q });
+	}
+	for (unsigned k = 0; k < 3; k++) {
+		double lo = (&p->box.lo.x)[k], hi = (&p->box.hi.x)[k];
+		double size = out->size + fabs(lo) + fabs(hi);
+		double grow = out->pad + prim_map_error(&p->to, &p->from, k, size) + 8 * ALD_U * size;
+
+		(&p->box.lo.x)[k] = lo - grow;
+		(&p->box.hi.x)[k] = hi + grow;
+	}
+}
+
+static void add_instance(struct prim_set *s, struct prim_level *l, uint32_t leaf)
+{
+	const struct prim_leaf *f = &s->leaf[leaf];
+	const struct prim_level *in = &s->level[f->level];
+	struct prim_instance *p = &l->instance[l->instance_count];
+	unsigned shadow = prim_texture_mask(s->scene, f->texture, f->interior_texture);
+	const unsigned both = PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR;
+	double scale = in->scale / l->scale;
+
+	if (!in->count)
+		return;
+	*p = (struct prim_instance){ .leaf = leaf, .level = f->level };
+	p->centre = prim_level_point(l, mat_point(&f->place.fwd, in->shift));
+	for (unsigned i = 0; i < 3; i++) {
+		for (unsigned j = 0; j < 3; j++) {
+			p->to.m[i][j] = f->place.inv.m[i][j] * scale;
+			p->from.m[i][j] = f->place.fwd.m[i][j] / scale;
+		}
+	}
+	bound_instance(p, in, l);
+	if (!vec_finite(p->box.lo) || !vec_finite(p->box.hi)) {
+		s->dropped += in->count;
+		return;
+	}
+	add_group(l, leaf);
+	for (uint32_t i = 0; in->mask && i < in->count; i++) {
+		if ((in->mask[i] & both) != both) /* faces with textures of their own */
+			shadow |= in->mask[i];
+	}
+	l->mask[l->count++] = leaf_mask(f->flags) &
+			      (shadow | ~(unsigned)(PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR));
+	s->leaf[leaf].item = l->instance_count++;
+	ald_box_join(&l->box, &p->box);
+}
+
+static void add_plane(struct prim_set *s, const struct prim_level *l, uint32_t leaf)
+{
+	const struct prim_leaf *f = &s->leaf[leaf];
+	struct prim_unbounded *p = &s->unbounded[s->unbounded_count];
+
+	if (!plane_make(&p->plane, &s->scene->object[f->object], &f->place, l->shift, l->scale)) {
+		s->dropped++;
+		return;
+	}
+	p->leaf = leaf;
+	p->mask = leaf_mask(f->flags) &
+		  (prim_texture_mask(s->scene, f->texture, f->interior_texture) |
+		   ~(unsigned)(PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR));
+	s->leaf[leaf].item = s->unbounded_count++;
+}
+
+static enum status bake_world(struct prim_set *s, struct prim_level *l, struct diag *diag)
+{
+	for (uint32_t i = 0; i < s->leaf_count; i++) {
+		const struct prim_leaf *f = &s->leaf[i];
+		const struct mesh *m;
+		struct mat mat;
+		enum status st;
+
+		if (f->kind != SHAPE_MESH || f->level)
+			continue;
+		m = &s->scene->mesh[f->mesh];
+		mat = prim_bake_mat(l, &f->place);
+		st = prim_bake_mesh(s, l, m, i, &mat, diag);
+		if (st)
+			return st;
+		mask_triangles(s, l, l->group_count - 1, l->tri_count, m, leaf_mask(f->flags),
+			       prim_texture_mask(s->scene, f->texture, f->interior_texture),
+			       f->interior_texture);
+	}
+	l->count = l->tri_count;
+	return STATUS_OK;
+}
+
+enum status layout_world(struct prim_set *s, struct diag *diag)
+{
+	struct prim_level *l = &s->level[0];
+	struct sums n = { .groups = 0 };
+	bool ok = true;
+	enum status st;
+	ald_box all;
+
+	s->world = ald_box_empty();
+	for (uint32_t i = 0; i < s->leaf_count; i++)
+		leaf_box(s, &s->leaf[i], &s->world);
+	all = s->world;
+	if (s->scene->has_camera && vec_finite(s->scene->camera.location))
+		ald_box_join(&all, &(ald_box){ s->scene->camera.location, s->scene->camera.location });
+	prim_level_frame(l, &all);
+	count_world(s, &n);
+	s->unbounded = take(s, n.planes, sizeof(*s->unbounded), &ok);
+	st = ok ? take_level(s, l, &n, true, diag) :
+		  diag_no_memory(diag, "the list of planes", n.planes * sizeof(*s->unbounded));
+	if (st)
+		return st;
+	st = bake_world(s, l, diag);
+	if (st)
+		return st;
+	prim_narrow_vertices(l);
+	l->box = ald_box_empty();
+	join_triangles(l);
+	for (uint32_t i = 0; i < s->leaf_count; i++) {
+		if (is_bounded(s->leaf[i].kind))
+			add_prim(s, l, i);
+		else if (s->leaf[i].kind == SHAPE_PLANE)
+			add_plane(s, l, i);
+	}
+	for (uint32_t i = 0; i < s->leaf_count; i++) {
+		if (s->leaf[i].level)
+			add_instance(s, l, i);
+	}
+	l->group_first[l->group_count] = l->count;
+	return STATUS_OK;
+}

@@ -1,0 +1,93 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Analytic primitives: each is a canonical shape about the origin, of size 1, and an affine map.
+ *
+ * A ray is moved relative to the shape's centre first and mapped then, so that far shapes lose nothing to
+ * cancellation, and its origin is slid along it to the point of closest approach before any root is
+ * sought (Haines et al., Ray Tracing Gems 7, 2019). Own coordinates are the canonical ones; level
+ * coordinates those of the accelerator.
+ */
+#ifndef ALIDADE_PRIM_PRIM_H
+#define ALIDADE_PRIM_PRIM_H
+
+#include "alidade/kernel.h"
+#include "base/vec.h"
+#include "scene/scene.h"
+
+#define PRIM_ROOTS 4
+
+struct prim {
+	enum shape_kind kind;
+	bool open; /* cone without caps */
+	vec centre; /* in level coordinates */
+	struct mat to; /* level to own; linear part only */
+	struct mat from; /* own to level; linear part only */
+	double a, b; /* cone: mean radius and half the growth; torus: minor radius; disc: hole */
+	vec half; /* box */
+	ald_box box; /* grown, as the accelerator sees it */
+};
+
+/* Where a line meets a primitive, in order; t may be infinite or NaN, which never counts. */
+struct prim_roots {
+	uint32_t count;
+	double t[PRIM_ROOTS];
+	uint32_t part[PRIM_ROOTS];
+};
+
+/* A point on a surface in own coordinates. */
+struct prim_point {
+	vec p; /* exactly on the canonical surface, but for rounding */
+	vec n; /* unit, outward */
+};
+
+/* Per kind: roots along o + t d, both in own coordinates; the surface near p; is p inside; how far the
+ * shape reaches from its centre along level axis k. */
+struct prim_ops {
+	void (*roots)(const struct prim *, vec o, vec d, struct prim_roots *);
+	void (*surface)(const struct prim *, vec p, uint32_t part, struct prim_point *);
+	bool (*inside)(const struct prim *, vec p);
+	double (*reach)(const struct prim *, unsigned k);
+};
+
+extern const struct prim_ops prim_sphere_ops, prim_box_ops, prim_cone_ops, prim_disc_ops, prim_torus_ops;
+
+/* Set up from a scene object and its accumulated transform; level = (world - shift) * scale. False: it
+ * has no extent, or something is not finite. Grows the box by pad and by what the map's rounding can
+ * move rays that start within reach of the geometry, whose extent is size. */
+bool prim_make(struct prim *, const struct object *, const struct xform *place, vec shift, double scale,
+	       double size, double pad);
+
+/* Rule R1 and the filters: as prims->intersect(), masks and skip apart. */
+int prim_intersect(const struct prim *, uint32_t id, const ald_ray *, ald_hit *);
+/* Place and unit normal in level coordinates of a hit, and a bound on the place's error. */
+void prim_surface(const struct prim *, const ald_ray *, const ald_hit *, vec *p, vec *n, double *error);
+bool prim_inside(const struct prim *, vec p); /* p in level coordinates */
+
+/* How far rounding can move a ray, on its way through a map and back, along axis k; its coordinates
+ * relative to the map's centre are up to size. */
+double prim_map_error(const struct mat *to, const struct mat *from, unsigned k, double size);
+
+/* |column k| of from, over the own axes x and y / x and z / all. */
+static inline double prim_column(const struct prim *p, unsigned k, bool x, bool y, bool z)
+{
+	double a = x ? p->from.m[0][k] : 0, b = y ? p->from.m[1][k] : 0, c = z ? p->from.m[2][k] : 0;
+
+	return sqrt(a * a + b * b + c * c);
+}
+
+/* An infinite plane, in level coordinates: points p with n.p = d. */
+struct prim_plane {
+	vec n; /* unit */
+	double d;
+};
+
+bool plane_make(struct prim_plane *, const struct object *, const struct xform *place, vec shift,
+		double scale);
+/* Where the line meets the plane, if it does. */
+bool plane_intersect(const struct prim_plane *, const ald_ray *, double *t);
+void plane_surface(const struct prim_plane *, const ald_ray *, const ald_hit *, vec *p, vec *n,
+		   double *error);
+bool plane_inside(const struct prim_plane *, vec p);
+
+#endif

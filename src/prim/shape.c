@@ -1,0 +1,192 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * What all analytic primitives have in common: the maps, the filters, the error bounds.
+ */
+#include "prim/prim.h"
+
+static const struct prim_ops *ops_of(const struct prim *p)
+{
+	static const struct prim_ops *const ops[SHAPE_KINDS] = {
+		[SHAPE_SPHERE] = &prim_sphere_ops, [SHAPE_BOX] = &prim_box_ops,
+		[SHAPE_CONE] = &prim_cone_ops,	   [SHAPE_DISC] = &prim_disc_ops,
+		[SHAPE_TORUS] = &prim_torus_ops,
+	};
+
+	return ops[p->kind];
+}
+
+/* Canonical to the object's own coordinates: rows are the images of the axes, the fourth the centre. */
+static struct mat canonical(struct prim *p, const struct object *o)
+{
+	struct mat m = mat_identity;
+	vec c = { 0, 0, 0 }, axis, x, y;
+	double r;
+
+	switch (o->kind) {
+	case SHAPE_SPHERE:
+		c = o->shape.sphere.centre;
+		m.m[0][0] = m.m[1][1] = m.m[2][2] = o->shape.sphere.radius;
+		break;
+	case SHAPE_BOX:
+		p->half = vec_scale(vec_sub(o->shape.box.hi, o->shape.box.lo), 0.5);
+		c = vec_add(o->shape.box.lo, p->half);
+		break;
+	case SHAPE_TORUS:
+		m.m[0][0] = m.m[1][1] = m.m[2][2] = o->shape.torus.major;
+		p->a = o->shape.torus.minor / o->shape.torus.major;
+		break;
+	case SHAPE_CONE:
+	case SHAPE_DISC:
+		if (o->kind == SHAPE_CONE) {
+			r = fmax(o->shape.cone.base_radius, o->shape.cone.apex_radius);
+			axis = vec_scale(vec_sub(o->shape.cone.apex, o->shape.cone.base), 0.5);
+			c = vec_add(o->shape.cone.base, axis);
+			p->a = (o->shape.cone.base_radius / r + o->shape.cone.apex_radius / r) / 2;
+			p->b = (o->shape.cone.apex_radius / r - o->shape.cone.base_radius / r) / 2;
+			p->open = o->shape.cone.open;
+		} else {
+			r = o->shape.disc.radius;
+			axis = vec_scale(o->shape.disc.normal, r);
+			c = o->shape.disc.centre;
+			p->a = o->shape.disc.hole / r;
+		}
+		x = fabs(axis.x) <= fabs(axis.y) && fabs(axis.x) <= fabs(axis.z) ? vec_make(1, 0, 0) :
+		    fabs(axis.y) <= fabs(axis.z)				 ? vec_make(0, 1, 0) :
+										   vec_make(0, 0, 1);
+		y = vec_unit(vec_cross(axis, x));
+		x = vec_scale(vec_unit(vec_cross(y, axis)), r);
+		y = vec_scale(y, r);
+		m = (struct mat){ { { x.x, x.y, x.z }, { y.x, y.y, y.z }, { axis.x, axis.y, axis.z } } };
+		break;
+	default:
+		break;
+	}
+	m.m[3][0] = c.x;
+	m.m[3][1] = c.y;
+	m.m[3][2] = c.z;
+	return m;
+}
+
+static bool finite_mat(const struct mat *m)
+{
+	for (unsigned i = 0; i < 4; i++) {
+		if (!isfinite(m->m[i][0]) || !isfinite(m->m[i][1]) || !isfinite(m->m[i][2]))
+			return false;
+	}
+	return true;
+}
+
+double prim_map_error(const struct mat *to, const struct mat *from, unsigned k, double size)
+{
+	double e = 0;
+
+	for (unsigned j = 0; j < 3; j++) {
+		double own = fabs(to->m[0][j]) + fabs(to->m[1][j]) + fabs(to->m[2][j]);
+
+		e += fabs(from->m[j][k]) * own * size;
+	}
+	return 16 * ALD_U * e;
+}
+
+bool prim_make(struct prim *p, const struct object *o, const struct xform *place, vec shift,
+	       double scale, double size, double pad)
+{
+	struct mat m;
+	vec c;
+
+	*p = (struct prim){ .kind = o->kind };
+	m = canonical(p, o);
+	c = mat_point(&place->fwd, vec_make(m.m[3][0], m.m[3][1], m.m[3][2]));
+	p->centre = vec_scale(vec_sub(c, shift), scale);
+	m.m[3][0] = m.m[3][1] = m.m[3][2] = 0;
+	p->from = mat_mul(&m, &place->fwd);
+	for (unsigned i = 0; i < 3; i++) {
+		for (unsigned j = 0; j < 3; j++)
+			p->from.m[i][j] *= scale;
+		p->from.m[3][i] = 0;
+	}
+	if (!finite_mat(&p->from) || !vec_finite(p->centre) || !mat_invert(&p->from, &p->to) ||
+	    !isfinite(p->a) || !isfinite(p->b) || !vec_finite(p->half))
+		return false;
+	for (unsigned k = 0; k < 3; k++) {
+		double r = ops_of(p)->reach(p, k), mid = (&p->centre.x)[k];
+		double grow = pad + prim_map_error(&p->to, &p->from, k, size + fabs(mid)) + 8 * ALD_U * (r + fabs(mid));
+
+		if (!(r >= 0 && isfinite(r)))
+			return false;
+		(&p->box.lo.x)[k] = mid - (r + grow);
+		(&p->box.hi.x)[k] = mid + (r + grow);
+	}
+	return true;
+}
+
+/* Hold t within the slabs of the box, by the same steps as ald_box_ray() without pads: then no
+ * accelerator can have culled what it finds (R3). */
+static double clamp_to_box(const ald_ray *r, const ald_box *b, double t)
+{
+	double t0 = -ALD_INF, t1 = ALD_INF;
+
+	for (unsigned k = 0; k < 3; k++) {
+		double d = (&r->dir.x)[k], o = (&r->org.x)[k], inv = 1 / d;
+		double lo = (&b->lo.x)[k] - o, hi = (&b->hi.x)[k] - o;
+
+		t0 = ald_max((signbit(d) ? hi : lo) * inv, t0);
+		t1 = ald_min((signbit(d) ? lo : hi) * inv, t1);
+	}
+	t = t > t1 ? t1 : t;
+	return t < t0 ? t0 : t;
+}
+
+int prim_intersect(const struct prim *p, uint32_t id, const ald_ray *r, ald_hit *hit)
+{
+	vec o = mat_dir(&p->to, vec_sub(r->org, p->centre)), d = mat_dir(&p->to, r->dir);
+	double dd = vec_dot(d, d), slide = -vec_dot(o, d) / dd;
+	struct prim_roots roots = { .count = 0 };
+
+	if (!(dd > 0) || !isfinite(slide))
+		return 0;
+	ops_of(p)->roots(p, vec_mad(o, d, slide), d, &roots);
+	for (uint32_t i = 0; i < roots.count; i++) {
+		double t = clamp_to_box(r, &p->box, slide + roots.t[i]);
+
+		if (!isfinite(t) || !ald_counts(r, t, id, hit))
+			continue;
+		*hit = (ald_hit){ .t = t, .prim = id, .part = roots.part[i] };
+		return 1;
+	}
+	return 0;
+}
+
+void prim_surface(const struct prim *p, const ald_ray *r, const ald_hit *hit, vec *at, vec *n,
+		  double *error)
+{
+	vec o = mat_dir(&p->to, vec_sub(r->org, p->centre)), d = mat_dir(&p->to, r->dir);
+	double slide = -vec_dot(o, d) / vec_dot(d, d), far, l;
+	struct prim_point s;
+	vec off;
+
+	ops_of(p)->surface(p, vec_mad(vec_mad(o, d, slide), d, hit->t - slide), hit->part, &s);
+	off = mat_dir(&p->from, s.p);
+	*at = vec_add(p->centre, off);
+	*n = mat_normal(&p->to, s.n);
+	l = vec_length(*n);
+	*n = vec_scale(*n, 1 / l);
+	/* Own coordinates of a ray that starts here are off by a few u of these sizes; 1/l is what one
+	 * own unit along the normal is in level units. */
+	far = 1;
+	for (unsigned j = 0; j < 3; j++) {
+		for (unsigned i = 0; i < 3; i++)
+			far += fabs((&off.x)[i] * p->to.m[i][j]);
+	}
+	*error = 256 * ALD_U * far / l +
+		 8 * ALD_U * (fabs(at->x) + fabs(at->y) + fabs(at->z) + fabs(p->centre.x) +
+			      fabs(p->centre.y) + fabs(p->centre.z));
+}
+
+bool prim_inside(const struct prim *p, vec at)
+{
+	const struct prim_ops *ops = ops_of(p);
+
+	return ops->inside && ops->inside(p, mat_dir(&p->to, vec_sub(at, p->centre)));
+}

@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "accel/trace.h"
+#include "alidade/kernel.h"
 #include "base/pool.h"
 
 struct world {
@@ -98,7 +99,7 @@ static uint32_t grid_mesh(struct world *w, uint32_t n)
 
 static ald_ray ray(vec o, vec d)
 {
-	return (ald_ray){ .org = o, .dir = d, .tmax = INFINITY, .mask = ~0u, .skip = ALD_NONE,
+	return (ald_ray){ .org = o, .dir = d, .tmax = ALD_INF, .mask = ~0u, .skip = ALD_NONE,
 			  .after = ALD_NONE, .after_sub = { ALD_NONE, ALD_NONE } };
 }
 
@@ -216,7 +217,7 @@ static void instances_equal_baked(void **state)
 
 static void bad_rays_miss(void **state)
 {
-	const double bad[] = { NAN, INFINITY, -INFINITY };
+	const double bad[] = { ALD_NAN, ALD_INF, -ALD_INF };
 	struct world w;
 	uint8_t hidden;
 

@@ -40,3 +40,11 @@ tests_unit_test_trace_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_trace_LDADD = $(UNIT_LIBS)
 TESTS += tests/unit/test_trace
 endif
+
+if HAVE_CMOCKA
+check_PROGRAMS += tests/unit/test_shade
+tests_unit_test_shade_SOURCES = tests/unit/test_shade.c
+tests_unit_test_shade_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_shade_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_shade
+endif

@@ -22,6 +22,7 @@ while [ $# -gt 0 ]; do
 	esac
 	shift
 done
+# shellcheck disable=SC2046 # words
 [ $# -gt 0 ] || set -- $(awk '!/^#/ && NF { print $1 }' "$here/scenes.txt")
 command -v blender >/dev/null || {
 	echo "export.sh: blender is not installed; ./dev deps installs it" >&2

@@ -23,6 +23,7 @@ while [ $# -gt 0 ]; do
 	esac
 	shift
 done
+# shellcheck disable=SC2046 # words
 [ $# -gt 0 ] || set -- $(awk '!/^#/ && NF { print $1 }' "$here/scenes.txt")
 command -v povray >/dev/null || {
 	echo "references.sh: povray is not installed; ./dev deps installs it" >&2

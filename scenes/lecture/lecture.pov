@@ -9,16 +9,16 @@ ambient_light rgb<0, 0, 0>
 #declare CURFRAMENUM = 1;
 //#include "/home/user/directory/animation_include_file.inc"
 background {rgbt<0.02, 0.03, 0.06, 0>}
-#declare camLocation  = <0.000000, 2.200001, 9.550000>;
-#declare camLookAt = <-12.972708, -0.000000, 0.000000>;
+#declare camLocation  = <0.000000, 2.250000, 9.780000>;
+#declare camLookAt = <-12.956097, -0.000000, 0.000000>;
 camera {
 location  <0, 0, 0>
 look_at  <0, 0, -1>
 right <-1.0, 0, 0>
 up <0, 1, 0>
 angle  39.597753
-rotate  <-12.972708, -0.000000, 0.000000>
-translate <0.000000, 2.200001, 9.550000>
+rotate  <-12.956097, -0.000000, 0.000000>
+translate <0.000000, 2.250000, 9.780000>
 }
 light_source {
 < 0,0,0 >

@@ -18,7 +18,7 @@ def build():
     torus = c.shape('torus', mat=mat, smooth=True, major_segments=64, minor_segments=24,
                     major_radius=1.0, minor_radius=0.36)
     torus.data.transform(mathutils.Euler((0.5, -0.35, 0.2)).to_matrix().to_4x4())
-    c.camera((0.0, -9.55, 2.2), (0, 0, 0), lens=50)
+    c.camera((0.0, -9.78, 2.25), (0, 0, 0), lens=50)
     c.lamp('POINT', (4, -6, 6), distance=200)
     c.lamp('SUN', (-4, -3, 2), colour=(0.2, 0.25, 0.35))
 

@@ -4,6 +4,6 @@ UNIT_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
 include tests/unit/local.mk
 
 # Tests in shell: tests/tap.sh tells how they are written.
-SHELL_TESTS = tests/headers.sh tests/layers.sh
+SHELL_TESTS = tests/headers.sh tests/layers.sh tests/lint.sh
 TESTS += $(SHELL_TESTS)
-EXTRA_DIST += $(SHELL_TESTS) tests/lint.sh tests/tap.sh tests/cli
+EXTRA_DIST += $(SHELL_TESTS) tests/tap.sh tests/cli

@@ -69,7 +69,8 @@ struct image_form {
 	bool premultiplied;
 };
 
-/* Row y of count channels, each sample in that form; in double, so that it is rounded once only. channel NULL: all of them in order. */
+/* Row y of count channels, each sample in that form; in double, so that it is rounded once only. channel
+ * NULL: all of them in order. */
 void image_row(const struct image *, uint32_t y, const uint32_t *channel, uint32_t count,
 	       struct image_form form, double *out);
 /* count samples as 8 or 16 bit (most significant byte first), rounded to nearest; below 0 and NaN give 0. */

@@ -6,8 +6,9 @@
 # centre, one thread. Usage: references.sh [NAME ...]
 set -eu
 cd "$(dirname "$0")"
-[ $# -gt 0 ] || set -- $(ls *.pov | sed 's/\.pov$//')
+[ $# -gt 0 ] || set -- *.pov
 for name; do
+	name=${name%.pov}
 	log=$(povray +I"$name.pov" +O"$name.exr" +FE +W96 +H72 -A -D -J +WT1 -GA 2>&1) || {
 		echo "$log" >&2
 		exit 1

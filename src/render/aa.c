@@ -58,9 +58,11 @@ static struct sample *grid_at(struct grid *g, int32_t x, int32_t y)
 
 		if (i == TREE_NONE)
 			return NULL;
+		/* Counted in places from the picture's corner and divided once, so that the same place
+		 * has the same coordinates to the bit in every tile. */
 		*BUF_AT(&w->sample, struct sample, i) = (struct sample){
-			.x = g->tile->x + (x + g->shift) / g->div,
-			.y = g->tile->y + (y + g->shift) / g->div,
+			.x = ((double)g->tile->x * g->div + x + g->shift) / g->div,
+			.y = ((double)g->tile->y * g->div + y + g->shift) / g->div,
 		};
 		*cell = i;
 	}

@@ -48,3 +48,11 @@ tests_unit_test_shade_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_shade_LDADD = $(UNIT_LIBS)
 TESTS += tests/unit/test_shade
 endif
+
+if HAVE_CMOCKA
+check_PROGRAMS += tests/unit/test_render
+tests_unit_test_render_SOURCES = tests/unit/test_render.c
+tests_unit_test_render_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_render_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_render
+endif

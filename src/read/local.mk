@@ -1,5 +1,22 @@
 src_libalidade_la_SOURCES += \
-	src/read/read.h \
+	src/read/ini.c src/read/ini.h \
+	src/read/limits.c src/read/limits.h \
+	src/read/read.c src/read/read.h \
+	src/read/pov/ask.c \
+	src/read/pov/cond.c \
+	src/read/pov/direct.c \
+	src/read/pov/expr.c \
+	src/read/pov/func.c \
+	src/read/pov/internal.h \
+	src/read/pov/items.c \
 	src/read/pov/keywords.c src/read/pov/keywords.def src/read/pov/keywords.h \
+	src/read/pov/lex.c \
+	src/read/pov/macro.c \
+	src/read/pov/name.c \
 	src/read/pov/number.c src/read/pov/number.h \
-	src/read/pov/parser.h
+	src/read/pov/parser.h \
+	src/read/pov/pov.c \
+	src/read/pov/source.c \
+	src/read/pov/string.c \
+	src/read/pov/token.c \
+	src/read/pov/value.c

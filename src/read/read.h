@@ -12,7 +12,7 @@
 #include "base/diag.h"
 #include "scene/scene.h"
 
-/* Limits on what a scene may ask of the reader; 0 means the default, which alidade(1) states. */
+/* Limits on what a scene may ask of the reader; 0 means the default, see limits.h. */
 struct read_limits {
 	uint32_t nesting; /* of braces, parentheses and #if, together */
 	uint32_t macro_depth;
@@ -22,6 +22,7 @@ struct read_limits {
 	uint64_t tokens; /* read in all, macro bodies and loops again each time */
 	uint64_t elements; /* of one list or array */
 	uint64_t objects;
+	uint64_t memory; /* bytes of declared values and items; meshes have their own limit, the book */
 	double seconds; /* of reading; 0: none */
 };
 

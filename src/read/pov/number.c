@@ -14,6 +14,7 @@
 #include <pthread.h>
 #include <stdbool.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -28,13 +29,19 @@ static void make_locale(void)
 	c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
 }
 
-static double slow_parse(const char *at, size_t length)
+static void c_locale_init(void)
 {
 	static pthread_once_t once = PTHREAD_ONCE_INIT;
+
+	pthread_once(&once, make_locale);
+}
+
+static double slow_parse(const char *at, size_t length)
+{
 	char small[128], *text = small, *heap = NULL;
 	double value;
 
-	pthread_once(&once, make_locale);
+	c_locale_init();
 	if (length >= sizeof(small)) {
 		heap = malloc(length + 1);
 		if (heap)
@@ -109,4 +116,19 @@ const char *number_parse(const char *at, const char *end, double *out)
 	else
 		*out = slow_parse(at, (size_t)(p - at));
 	return p;
+}
+
+int number_print(char *out, size_t size, int width, int digits, double value)
+{
+	const char *format = width < 0 ? "%0*.*f" : "%*.*f";
+	locale_t old = (locale_t)0;
+	int n;
+
+	c_locale_init();
+	if (c_locale)
+		old = uselocale(c_locale);
+	n = snprintf(out, size, format, width < 0 ? -width : width, digits < 0 ? 6 : digits, value);
+	if (old)
+		uselocale(old);
+	return n;
 }

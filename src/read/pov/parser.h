@@ -105,10 +105,11 @@ const struct read_options *pov_options(const struct pov *);
 int pov_version(const struct pov *); /* in force here, 370 for 3.7 */
 double pov_gamma(const struct pov *); /* assumed_gamma so far; 0: not given (srgb is an error then) */
 
-/* Raw bytes, for mesh.c: from just after the current token to the end of the file or macro body it came
- * from, so that long plain lists of numbers are read without making tokens. After reading n bytes call
- * pov_raw_done(); lines and columns stay right. Returns false where the token source is not plain text
- * or a token has already been looked at beyond the current one. */
+/* Raw bytes, for mesh.c: what follows the last token that was passed, to the end of the file or macro
+ * body it came from, so that long plain lists of numbers are read without making tokens. False if the
+ * next token has already been looked at, or after an error. After reading up to now (not beyond the list:
+ * braces are counted by pov_next()) call pov_raw_done(); lines and columns stay right. A # or a name in
+ * there is for the tokens' way: stop before it. */
 bool pov_raw(struct pov *, const char **begin, const char **end);
 void pov_raw_done(struct pov *, const char *now);
 

@@ -1,0 +1,273 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Directives that are no conditions (manual 3.3.2): #declare and #local, #undef, #include, #default,
+ * #version, the text streams, and files, which a scene may not write.
+ */
+#include <config.h>
+
+#include "read/pov/internal.h"
+
+#include <math.h>
+
+/* From here to hold_end(), a directive at this depth of braces has to wait. */
+bool hold_begin(struct pov *p, int *depth)
+{
+	bool hold = p->hold;
+
+	*depth = p->hold_depth;
+	p->hold = true;
+	p->hold_depth = p->depth;
+	return hold;
+}
+
+void hold_end(struct pov *p, bool hold, int depth)
+{
+	p->hold = hold;
+	p->hold_depth = depth;
+}
+
+/* Where the value goes. */
+static struct slot *target(struct pov *p, const struct token *name, bool local, uint32_t depth)
+{
+	struct binding *b = name->atom->top;
+
+	if (name->element)
+		return name->where;
+	if (!b || (local && b->depth != depth))
+		b = bind(p, name->atom, local ? depth : 0);
+	return b ? slot_follow(&b->slot) : NULL;
+}
+
+static void declare(struct pov *p, bool local)
+{
+	struct slot value = { .kind = SLOT_EMPTY }, *to;
+	struct token name;
+	uint32_t depth = scope_depth(p);
+	int old_depth;
+	bool old;
+
+	if (!token_raw_name(p))
+		return;
+	name = p->tok;
+	if (!name.atom || name.atom->kind != TOK_NEW_IDENT) {
+		pov_fail(p, "expected an identifier to declare, found %s%s", pov_text(p),
+			 name.atom ? ", a reserved word" : "");
+		return;
+	}
+	pov_next(p);
+	if (!pov_expect(p, TOK_EQUALS, "after the identifier") || !pov_nest(p))
+		return;
+	pov_token(p);
+	old = hold_begin(p, &old_depth);
+	if (right_side(p, &value, false)) {
+		pov_accept(p, TOK_SEMICOLON);
+		to = p->failed ? NULL : target(p, &name, local, depth);
+		if (to)
+			*to = value;
+	}
+	hold_end(p, old, old_depth);
+	pov_unnest(p);
+}
+
+static void undef(struct pov *p)
+{
+	if (!token_raw_name(p))
+		return;
+	if (p->tok.kind == TOK_NEW_IDENT) {
+		pov_warn(p, &p->tok.pos, "#undef: %.*s is not declared",
+			 (int)(p->tok.end - p->tok.begin), p->tok.begin);
+		if (p->tok.atom->top)
+			unbind(p, p->tok.atom);
+	} else if (p->tok.kind == TOK_IDENT || p->tok.kind == TOK_UNSET) {
+		if (p->tok.element)
+			p->tok.where->kind = SLOT_EMPTY;
+		else
+			unbind(p, p->tok.atom);
+	} else {
+		pov_fail(p, "expected an identifier, found %s", pov_text(p));
+		return;
+	}
+	p->have = false;
+	/* One ; is usual, but none is needed, and nothing may be read that comes after a directive. */
+	lex_blank(p);
+	if (p->source->p.at < p->source->end && *p->source->p.at == ';')
+		p->source->p.at++;
+}
+
+static void set_version(struct pov *p)
+{
+	int old_depth;
+	bool old;
+	double v;
+
+	pov_token(p);
+	if (!p->failed && p->tok.kind == TOK_NEW_IDENT) {
+		pov_fail(p, "expected a number after #version, found %s", pov_text(p));
+		return;
+	}
+	old = hold_begin(p, &old_depth);
+	v = expr_float(p);
+	pov_accept(p, TOK_SEMICOLON);
+	hold_end(p, old, old_depth);
+	if (p->failed)
+		return;
+	if (!(v >= 0.1 && v < 100)) {
+		pov_fail(p, "#version %g makes no sense; the newest that is known is 3.7", v);
+		return;
+	}
+	p->version = (int)(v * 100 + 0.5);
+}
+
+static void include_file(struct pov *p)
+{
+	struct diag_pos pos;
+	char *name;
+
+	pov_token(p);
+	pos = pov_pos(p);
+	name = pov_path(p);
+	if (name)
+		source_include(p, name, &pos);
+}
+
+static void message(struct pov *p, enum pov_token_kind word, struct diag_pos pos)
+{
+	char *text = pov_string(p);
+	size_t n;
+
+	if (!text)
+		return;
+	if (word == TOK_ERROR) {
+		pov_fail_at(p, &pos, "#error: %s", text);
+	} else if (word == TOK_WARNING) {
+		for (n = 0; text[n]; n++)
+			;
+		while (n && text[n - 1] == '\n')
+			text[--n] = 0;
+		pov_warn(p, &pos, "#warning: %s", text);
+	} else {
+		pov_debug(p, text);
+	}
+}
+
+static void set_default(struct pov *p)
+{
+	if (!pov_expect(p, TOK_LEFT_BRACE, "after #default") || !pov_nest(p))
+		return;
+	pov_default(p);
+	pov_expect(p, TOK_RIGHT_BRACE, "at the end of #default");
+	pov_unnest(p);
+}
+
+/* With --lenient: (handle, anything, ...) or handle, then "name" and a mode. */
+static void skip_file_operands(struct pov *p, enum pov_token_kind word)
+{
+	struct slot value;
+
+	if (word == TOK_FOPEN || word == TOK_FCLOSE) {
+		token_raw_name(p);
+		p->have = false;
+		if (word == TOK_FOPEN && pov_path(p) && !pov_accept(p, TOK_READ) &&
+		    !pov_accept(p, TOK_WRITE))
+			pov_accept(p, TOK_APPEND);
+		return;
+	}
+	pov_expect(p, TOK_LEFT_PAREN, "");
+	token_raw_name(p);
+	p->have = false;
+	while (!p->failed && pov_accept(p, TOK_COMMA)) {
+		if (pov_token(p) == TOK_NEW_IDENT || p->tok.kind == TOK_UNSET ||
+		    (p->tok.kind >= TOK_SINT16BE && p->tok.kind <= TOK_SINT8) ||
+		    (p->tok.kind >= TOK_UINT16BE && p->tok.kind <= TOK_UINT8))
+			pov_next(p);
+		else
+			right_side(p, &value, false);
+	}
+	pov_expect(p, TOK_RIGHT_PAREN, "");
+}
+
+static void file_directive(struct pov *p, enum pov_token_kind word, struct diag_pos pos)
+{
+	bool ok;
+
+	switch (word) {
+	case TOK_FOPEN:
+		ok = pov_unsupported(p, &pos, "#fopen", "a scene may neither write files nor read data "
+				     "files; compute the values in the scene or #include them");
+		break;
+	case TOK_WRITE:
+		ok = pov_unsupported(p, &pos, "#write", "a scene may not write files");
+		break;
+	case TOK_READ:
+		ok = pov_unsupported(p, &pos, "#read", "declare the values in a file and #include it");
+		break;
+	default:
+		ok = pov_unsupported(p, &pos, "#fclose", NULL);
+		break;
+	}
+	if (ok)
+		skip_file_operands(p, word);
+}
+
+void directive(struct pov *p)
+{
+	struct diag_pos pos = p->tok.pos;
+	enum pov_token_kind word;
+
+	lex(p);
+	word = p->tok.atom && p->tok.atom->directive ? p->tok.atom->kind : TOK_END;
+	switch (p->failed ? TOK_HASH : word) {
+	case TOK_IF: case TOK_IFDEF: case TOK_IFNDEF:
+		cond_if(p, word, pos);
+		break;
+	case TOK_ELSE: case TOK_ELSEIF:
+		cond_else(p, word, pos);
+		break;
+	case TOK_WHILE: case TOK_FOR:
+		cond_loop(p, word, pos);
+		break;
+	case TOK_SWITCH:
+		cond_switch(p, pos);
+		break;
+	case TOK_CASE: case TOK_RANGE:
+		cond_case(p, word, pos);
+		break;
+	case TOK_BREAK:
+		cond_break(p, pos);
+		break;
+	case TOK_END_WORD:
+		cond_end(p, pos);
+		break;
+	case TOK_DECLARE: case TOK_LOCAL:
+		declare(p, word == TOK_LOCAL);
+		break;
+	case TOK_UNDEF:
+		undef(p);
+		break;
+	case TOK_MACRO:
+		macro_define(p, pos);
+		break;
+	case TOK_INCLUDE:
+		include_file(p);
+		break;
+	case TOK_DEFAULT:
+		set_default(p);
+		break;
+	case TOK_VERSION:
+		set_version(p);
+		break;
+	case TOK_DEBUG: case TOK_WARNING: case TOK_ERROR: case TOK_RENDER: case TOK_STATISTICS:
+		message(p, word, pos);
+		break;
+	case TOK_FOPEN: case TOK_FCLOSE: case TOK_READ: case TOK_WRITE:
+		file_directive(p, word, pos);
+		break;
+	case TOK_HASH:
+		break;
+	default:
+		pov_fail_at(p, &pos, "#%.*s is no directive",
+			    (int)(p->tok.end - p->tok.begin > 30 ? 30 : p->tok.end - p->tok.begin),
+			    p->tok.begin);
+	}
+}

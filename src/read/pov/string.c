@@ -185,7 +185,7 @@ static char *vstr(struct pov *p)
 	char *between;
 
 	pov_comma(p);
-	expr_full(p, &v, n);
+	expr_number(p, &v, 1);
 	pov_comma(p);
 	between = pov_string(p);
 	read_format(p, &width, &digits);

@@ -1,0 +1,31 @@
+# SPDX-FileCopyrightText: 2026 The Alidade authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# Accelerators: modules that export one symbol and include the two public headers only.
+PLUGIN_LDFLAGS = -module -avoid-version -shared -export-symbols-regex '^ald_accel_entry$$' $(AM_LDFLAGS)
+PLUGIN_CPPFLAGS = -I$(top_srcdir)/include
+
+pkglibaccel_LTLIBRARIES += plugins/none.la plugins/sphere.la plugins/box.la plugins/octree.la
+
+plugins_none_la_SOURCES = plugins/none.c plugins/flat.h
+plugins_none_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
+plugins_none_la_LDFLAGS = $(PLUGIN_LDFLAGS)
+
+plugins_sphere_la_SOURCES = plugins/sphere.c plugins/flat.h
+plugins_sphere_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
+plugins_sphere_la_LDFLAGS = $(PLUGIN_LDFLAGS)
+
+plugins_box_la_SOURCES = plugins/box.c plugins/flat.h
+plugins_box_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
+plugins_box_la_LDFLAGS = $(PLUGIN_LDFLAGS)
+
+plugins_octree_la_SOURCES = plugins/octree.c plugins/octree_build.c plugins/octree.h
+plugins_octree_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
+plugins_octree_la_LDFLAGS = $(PLUGIN_LDFLAGS)
+
+# Libtool's .la files are of no use to dlopen(); only libtool itself would miss them.
+install-data-hook:
+	cd '$(DESTDIR)$(pkglibacceldir)' && rm -f none.la sphere.la box.la octree.la
+
+uninstall-hook:
+	cd '$(DESTDIR)$(pkglibacceldir)' && rm -f none.so sphere.so box.so octree.so

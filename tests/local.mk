@@ -7,3 +7,4 @@ include tests/unit/local.mk
 SHELL_TESTS = tests/headers.sh tests/layers.sh tests/lint.sh
 TESTS += $(SHELL_TESTS)
 EXTRA_DIST += $(SHELL_TESTS) tests/tap.sh tests/cli
+include tests/plugins/local.mk

@@ -1,9 +1,12 @@
 src_libalidade_la_SOURCES += \
 	src/accel/brute.c \
+	src/accel/elf.c src/accel/elf.h \
 	src/accel/geometry.c src/accel/geometry.h \
 	src/accel/host.c src/accel/host.h \
 	src/accel/inside.c \
 	src/accel/instance.c \
-	src/accel/load.h \
+	src/accel/load.c src/accel/load.h \
+	src/accel/param.c src/accel/param.h \
 	src/accel/surface.c \
+	src/accel/text.c src/accel/text.h \
 	src/accel/trace.c src/accel/trace.h

@@ -1,0 +1,68 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * What octree's two halves share: octree_build.c makes it, octree.c walks through it.
+ */
+#ifndef OCTREE_H
+#define OCTREE_H
+
+#include <alidade/accel.h>
+#include <alidade/kernel.h>
+
+#define DEPTH_MAX 21
+
+#if defined __x86_64__ && defined __GNUC__ && !defined __SANITIZE_ADDRESS__
+#define WIDE __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
+#else
+#define WIDE
+#endif
+
+typedef double v8 __attribute__((vector_size(64)));
+typedef int64_t m8 __attribute__((vector_size(64)));
+
+struct leaf {
+	uint32_t block, tris; /* first of its blocks; how many triangles they hold */
+	uint32_t other, others; /* primitives that are no triangles, in other[] */
+};
+
+struct ald_accel {
+	const ald_host *host;
+	const ald_prims *prims;
+	ald_frame frame;
+	ald_box box; /* around the primitives */
+	double centre[3], half[3]; /* of the root cell */
+	/* Child k of node n is index[8 n + k]: 0 none; below inner a node, else leaf index - inner. */
+	uint32_t *wide; /* one of these two is NULL */
+	uint16_t *narrow;
+	uint8_t *kids; /* of each node: one bit for each child there is */
+	struct leaf *leaf;
+	ald_triangles *block; /* ALD_LANES triangles each, in the order of the leaves */
+	uint32_t (*id)[ALD_LANES];
+	uint32_t *other;
+	uint32_t inner, leaves, blocks, others, depth;
+	uint64_t refs, bytes;
+	int root_is_leaf;
+};
+
+/* The lanes that are set. */
+ALD_INLINE uint32_t lanes(const m8 *m)
+{
+	const m8 bit = { 1, 2, 4, 8, 16, 32, 64, 128 };
+	union {
+		m8 m;
+		int64_t i[8];
+	} u = { *m & bit };
+
+	return (uint32_t)(u.i[0] | u.i[1] | u.i[2] | u.i[3] | u.i[4] | u.i[5] | u.i[6] | u.i[7]);
+}
+
+enum octree_param { P_DEPTH, P_LEAF, P_PRICE, P_INDEX, P_SHAPE };
+enum { INDEX_AUTO, INDEX_16, INDEX_32 };
+enum { SHAPE_CUBE, SHAPE_BOX };
+
+/* value[] is in the order of enum octree_param. */
+int octree_build(const ald_host *, const ald_prims *, const double *value, ald_accel **out,
+		 ald_error *);
+void octree_destroy(ald_accel *);
+
+#endif

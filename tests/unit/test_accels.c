@@ -1,0 +1,438 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Every accelerator answers as none does, to the bit: nearest hits, shadows and next-hit walks, on rays
+ * of which most are hostile.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "accel/load.h"
+#include "rays.h"
+
+#define BATCH 1024u
+
+static const char *const spec[] = {
+	"box", "sphere", "octree", "octree:index=32", "octree:depth=0", "octree:leaf=1,depth=5,price=0",
+	"octree:leaf=1,depth=6,price=0,shape=box", "octree:leaf=30",
+};
+
+struct accel {
+	struct accel_choice choice;
+	ald_accel *it;
+	ald_query q;
+	uint64_t count[ALD_COUNT_MAX];
+	ald_hit hit[BATCH];
+	uint8_t hidden[BATCH];
+};
+
+static void print_text(void *arg, enum diag_level level, const struct diag_pos *pos, const char *text)
+{
+	(void)arg;
+	(void)level;
+	(void)pos;
+	print_message("%s\n", text);
+}
+
+static int accel_open(struct accel *a, const char *name, struct test_host *h, const struct mesh *m)
+{
+	struct diag d = { .sink = print_text };
+	ald_error err = { "" };
+	size_t scratch = 0;
+	int status;
+
+	memset(a, 0, sizeof(*a));
+	assert_int_equal(accel_load(&a->choice, name, &d), STATUS_OK);
+	status = a->choice.plugin->build(&h->host, &m->prims, a->choice.value, &a->it, &err);
+	if (status) {
+		accel_unload(&a->choice);
+		return status;
+	}
+	if (a->choice.plugin->scratch_size)
+		scratch = a->choice.plugin->scratch_size(a->it);
+	a->q.scratch = mem_zalloc(&h->book, "scratch", scratch);
+	return ALD_OK;
+}
+
+static void accel_close(struct accel *a)
+{
+	a->choice.plugin->destroy(a->it);
+	mem_free(a->q.scratch);
+	accel_unload(&a->choice);
+}
+
+static void fresh(ald_hit *hit, const ald_ray *ray, uint32_t n)
+{
+	for (uint32_t i = 0; i < n; i++)
+		hit[i] = (ald_hit){ .t = ray[i].tmax, .prim = ALD_NONE, .part = ALD_NONE };
+}
+
+static void ask(struct accel *a, const ald_ray *ray, uint32_t n, bool one_by_one)
+{
+	const ald_accel_plugin *p = a->choice.plugin;
+
+	fresh(a->hit, ray, n);
+	if (!one_by_one) {
+		p->intersect_n(a->it, &a->q, ray, a->hit, n, 0);
+		p->occluded_n(a->it, &a->q, ray, a->hidden, n, 0);
+		return;
+	}
+	for (uint32_t i = 0; i < n; i++) {
+		int hit = p->intersect(a->it, &a->q, &ray[i], &a->hit[i]);
+
+		assert_int_equal(!!hit, a->hit[i].prim != ALD_NONE);
+		a->hidden[i] = !!p->occluded(a->it, &a->q, &ray[i]);
+	}
+}
+
+static void show(const char *what, const char *mesh, const char *name, const ald_ray *r,
+		 const ald_hit *want, const ald_hit *got)
+{
+	print_message("%s, %s against none, %s\n"
+		      "ray %a %a %a  %a %a %a  t %a..%a mask %x skip %u after %u\n"
+		      "none %a %u (%a %a), here %a %u (%a %a)\n",
+		      mesh, name, what, r->org.x, r->org.y, r->org.z, r->dir.x, r->dir.y, r->dir.z,
+		      r->tmin, r->tmax, r->mask, r->skip, r->after, want->t, want->prim, want->u, want->v,
+		      got->t, got->prim, got->u, got->v);
+}
+
+static void compare(const char *mesh, const char *name, const struct accel *want, const struct accel *got,
+		    const ald_ray *ray, uint32_t n)
+{
+	for (uint32_t i = 0; i < n; i++) {
+		if (memcmp(&want->hit[i], &got->hit[i], sizeof(want->hit[i]))) {
+			show("nearest", mesh, name, &ray[i], &want->hit[i], &got->hit[i]);
+			fail();
+		}
+		if (want->hidden[i] != got->hidden[i] ||
+		    want->hidden[i] != (want->hit[i].prim != ALD_NONE)) {
+			show("occluded", mesh, name, &ray[i], &want->hit[i], &got->hit[i]);
+			fail();
+		}
+	}
+}
+
+/* Step behind the hits (R2); returns how many rays still had one. */
+static uint32_t step_behind(ald_ray *ray, const ald_hit *hit, uint32_t n)
+{
+	uint32_t live = 0;
+
+	for (uint32_t i = 0; i < n; i++) {
+		if (hit[i].prim == ALD_NONE)
+			continue;
+		ray[i].tmin = hit[i].t;
+		ray[i].after = hit[i].prim;
+		live++;
+	}
+	return live;
+}
+
+static void same_hits(const char *mesh, struct mesh *m, uint32_t rays, uint32_t steps)
+{
+	enum { N = sizeof(spec) / sizeof(spec[0]) };
+	struct accel *none = malloc(sizeof(*none)), *other = malloc(N * sizeof(*other));
+	ald_ray *ray = malloc(BATCH * sizeof(*ray));
+	struct test_host h;
+	uint64_t hits = 0;
+
+	if (getenv("ALIDADE_TEST_ALL"))
+		rays *= 16;
+	test_host_init(&h, 2, 0);
+	accel_open(none, "none", &h, m);
+	for (unsigned k = 0; k < N; k++)
+		accel_open(&other[k], spec[k], &h, m);
+	for (uint32_t first = 0; first < rays; first += BATCH) {
+		uint32_t step = 0;
+
+		for (uint32_t i = 0; i < BATCH; i++)
+			ray_make(m, 1, first + i, &ray[i]);
+		do {
+			bool one_by_one = first % (8 * BATCH) == 0 && step < 2;
+
+			/* Counting is other code: it has to give the same. */
+			for (unsigned k = 0; k < N; k++)
+				other[k].q.count = first / BATCH % 4 == 1 ? other[k].count : NULL;
+			ask(none, ray, BATCH, one_by_one);
+			for (unsigned k = 0; k < N; k++) {
+				ask(&other[k], ray, BATCH, one_by_one);
+				compare(mesh, spec[k], none, &other[k], ray, BATCH);
+			}
+			for (uint32_t i = 0; i < BATCH; i++)
+				hits += none->hit[i].prim != ALD_NONE;
+		} while (step_behind(ray, none->hit, BATCH) && ++step < (first % (16 * BATCH) ? 1 : steps));
+	}
+	assert_true(hits > rays / 20);
+	for (unsigned k = 0; k < N; k++)
+		accel_close(&other[k]);
+	accel_close(none);
+	assert_int_equal(h.book.now, 0);
+	test_host_release(&h);
+	free(none);
+	free(other);
+	free(ray);
+	mesh_release(m);
+}
+
+static void test_torus(void **state)
+{
+	struct mesh m = { 0 };
+
+	(void)state;
+	mesh_torus(&m, (ald_vec){ 0.1, 0.2, -0.3 }, 1, 0.25, 48, 32);
+	mesh_finish(&m, false, false, false);
+	same_hits("torus", &m, 16 * 1024, 4);
+}
+
+static void test_objects(void **state)
+{
+	struct mesh m = { 0 };
+
+	(void)state;
+	for (unsigned i = 0; i < 12; i++)
+		mesh_torus(&m, (ald_vec){ i % 3, i / 3, i % 5 * 0.2 }, 0.3, 0.1, 8, 6);
+	mesh_soup(&m, 100, 2, 3, 4);
+	mesh_balls(&m, 40, 0.2, 7);
+	mesh_finish(&m, true, true, false);
+	same_hits("objects", &m, 16 * 1024, 12);
+}
+
+static void test_field(void **state)
+{
+	struct mesh m = { 0 };
+
+	(void)state;
+	mesh_field(&m, 24, 10, 1, 3);
+	mesh_finish(&m, true, false, false);
+	same_hits("field", &m, 16 * 1024, 4);
+}
+
+static void test_soup(void **state)
+{
+	struct mesh m = { 0 };
+
+	(void)state;
+	mesh_soup(&m, 1000, 1, 1, 11);
+	mesh_finish(&m, false, true, false);
+	same_hits("soup", &m, 16 * 1024, 20);
+}
+
+static void test_sheets(void **state)
+{
+	struct mesh m = { 0 };
+
+	(void)state;
+	mesh_sheets(&m, 8, 4, 0); /* on top of each other: the order is that of the ids */
+	mesh_finish(&m, false, false, false);
+	same_hits("coincident sheets", &m, 16 * 1024, 8);
+}
+
+static void test_close_sheets(void **state)
+{
+	struct mesh m = { 0 };
+
+	(void)state;
+	mesh_sheets(&m, 8, 3, 0x1p-22);
+	mesh_finish(&m, false, false, false);
+	same_hits("close sheets", &m, 16 * 1024, 8);
+}
+
+static void test_balls(void **state)
+{
+	struct mesh m = { 0 };
+
+	(void)state;
+	mesh_balls(&m, 300, 0.2, 5);
+	mesh_finish(&m, false, true, false);
+	same_hits("balls", &m, 16 * 1024, 12);
+}
+
+static void test_exact(void **state)
+{
+	struct mesh m = { 0 };
+
+	(void)state;
+	mesh_torus(&m, (ald_vec){ 0, 0, 0 }, 1, 0.25, 16, 12);
+	mesh_finish(&m, false, true, true);
+	same_hits("all left to the host", &m, 16 * 1024, 4);
+}
+
+static void test_one(void **state)
+{
+	struct mesh m = { 0 };
+
+	(void)state;
+	mesh_soup(&m, 1, 1, 5, 2);
+	m.index[2] = 2; /* not the degenerate one that soups begin with */
+	mesh_finish(&m, false, false, false);
+	same_hits("one triangle", &m, 8 * 1024, 2);
+}
+
+/* With none, tests are rays times primitives; an octree counts its repeats apart. */
+static void test_counts(void **state)
+{
+	struct accel *a = malloc(sizeof(*a));
+	ald_ray *ray = malloc(BATCH * sizeof(*ray));
+	struct mesh m = { 0 };
+	struct test_host h;
+	const uint64_t *n = a->count;
+
+	(void)state;
+	mesh_torus(&m, (ald_vec){ 0, 0, 0 }, 1, 0.25, 13, 7);
+	mesh_torus(&m, (ald_vec){ 3, 0, 0 }, 1, 0.25, 9, 7);
+	mesh_balls(&m, 3, 0.5, 5);
+	mesh_finish(&m, false, false, false);
+	test_host_init(&h, 2, 0);
+	for (uint32_t i = 0; i < BATCH; i++)
+		ray_make(&m, 2, i, &ray[i]);
+	for (unsigned k = 0; k < 4; k++) {
+		const char *const name[] = { "none", "box", "sphere", "octree:leaf=1,depth=5,price=0" };
+
+		accel_open(a, name[k], &h, &m);
+		a->q.count = a->count;
+		fresh(a->hit, ray, BATCH);
+		a->choice.plugin->intersect_n(a->it, &a->q, ray, a->hit, BATCH, 0);
+		if (k == 0) {
+			assert_int_equal(n[ALD_COUNT_PRIMS], BATCH * m.prims.count);
+			assert_int_equal(n[ALD_COUNT_VOLUME_TESTS], 0);
+		} else {
+			assert_true(n[ALD_COUNT_PRIMS] < BATCH * m.prims.count);
+			assert_true(n[ALD_COUNT_VOLUME_TESTS] >= BATCH);
+			assert_true(n[ALD_COUNT_VOLUME_HITS] < n[ALD_COUNT_VOLUME_TESTS]);
+			assert_true(n[ALD_COUNT_VOLUME_USEFUL] <= n[ALD_COUNT_VOLUME_HITS]);
+			assert_true(n[ALD_COUNT_VOLUME_USEFUL] > 0);
+		}
+		if (k == 1 || k == 2)
+			assert_int_equal(n[ALD_COUNT_VOLUME_TESTS], BATCH * m.prims.group_count);
+		if (k == 3) {
+			assert_true(n[ALD_COUNT_NODES] > 0);
+			assert_true(n[ALD_COUNT_REPEATS] > 0);
+			assert_true(n[ALD_COUNT_REPEATS] < n[ALD_COUNT_PRIMS]);
+		}
+		accel_close(a);
+	}
+	assert_int_equal(h.book.now, 0);
+	test_host_release(&h);
+	mesh_release(&m);
+	free(ray);
+	free(a);
+}
+
+/* A build that runs out of memory anywhere, or is cancelled, leaves nothing behind (R7). */
+static void test_failed_builds(void **state)
+{
+	const char *const name[] = { "none", "box", "sphere", "octree" };
+	struct accel *a = malloc(sizeof(*a));
+	struct mesh m = { 0 };
+	struct test_host h;
+
+	(void)state;
+	mesh_torus(&m, (ald_vec){ 0, 0, 0 }, 1, 0.25, 40, 30);
+	mesh_finish(&m, false, false, false);
+	for (unsigned k = 0; k < 4; k++) {
+		int status = ALD_NO_MEMORY;
+
+		for (uint64_t limit = 1; status; limit += limit / 8 + 1) {
+			test_host_init(&h, 2, limit);
+			status = accel_open(a, name[k], &h, &m);
+			if (!status)
+				accel_close(a);
+			else
+				assert_int_equal(status, ALD_NO_MEMORY);
+			assert_int_equal(h.book.now, 0);
+			test_host_release(&h);
+			assert_true(limit < 1u << 30);
+		}
+	}
+	for (double at = 0; at < 0.2; at += 0.02) {
+		test_host_init(&h, 2, 0);
+		h.cancel_at = at;
+		assert_int_equal(accel_open(a, "octree:depth=16", &h, &m), ALD_CANCELLED);
+		assert_int_equal(h.book.now, 0);
+		test_host_release(&h);
+	}
+	mesh_release(&m);
+	free(a);
+}
+
+struct holder {
+	const struct mesh *m;
+	uint32_t volumes, leaves, prims;
+	double volume; /* of all leaves */
+};
+
+static int hold(void *arg, const ald_volume *v)
+{
+	struct holder *h = arg;
+
+	h->volumes++;
+	h->leaves += v->prims > 0;
+	h->prims += v->prims;
+	return 1;
+}
+
+static double stat_of(const struct accel *a, const char *what)
+{
+	const char *name;
+	double value;
+
+	for (uint32_t i = 0; a->choice.plugin->stat(a->it, i, &name, &value); i++) {
+		if (!strcmp(name, what))
+			return value;
+	}
+	return -1;
+}
+
+static void test_octree_figures(void **state)
+{
+	struct accel *a = malloc(sizeof(*a));
+	struct mesh m = { 0 };
+	struct test_host h;
+
+	(void)state;
+	mesh_torus(&m, (ald_vec){ 0, 0, 0 }, 1, 0.25, 40, 30);
+	mesh_finish(&m, false, false, false);
+	test_host_init(&h, 2, 0);
+	for (unsigned depth = 0; depth <= 6; depth++) {
+		struct holder got = { .m = &m };
+		char name[64];
+
+		snprintf(name, sizeof(name), "octree:depth=%u,leaf=1,price=0", depth);
+		accel_open(a, name, &h, &m);
+		a->choice.plugin->walk(a->it, NULL, hold, &got);
+		assert_int_equal(got.volumes, (int)stat_of(a, "nodes"));
+		assert_int_equal(got.leaves, (int)stat_of(a, "leaves"));
+		assert_int_equal(got.prims, (int)stat_of(a, "references"));
+		assert_int_equal((int)stat_of(a, "depth"), (int)depth);
+		assert_int_equal((int)stat_of(a, "index bits"), 16);
+		assert_true(stat_of(a, "memory") <= (double)h.book.now);
+		if (!depth)
+			assert_int_equal(got.prims, m.prims.count);
+		accel_close(a);
+	}
+	assert_int_equal(accel_open(a, "octree:depth=9,leaf=1,price=0,index=16", &h, &m), ALD_BAD_PARAM);
+	assert_int_equal(accel_open(a, "octree:depth=9,leaf=1,price=0", &h, &m), ALD_OK);
+	assert_int_equal((int)stat_of(a, "index bits"), 32);
+	accel_close(a);
+	assert_int_equal(h.book.now, 0);
+	test_host_release(&h);
+	mesh_release(&m);
+	free(a);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_torus),	     cmocka_unit_test(test_objects),
+		cmocka_unit_test(test_field),	     cmocka_unit_test(test_soup),
+		cmocka_unit_test(test_sheets),	     cmocka_unit_test(test_close_sheets),
+		cmocka_unit_test(test_balls),	     cmocka_unit_test(test_exact),
+		cmocka_unit_test(test_one),	     cmocka_unit_test(test_counts),
+		cmocka_unit_test(test_failed_builds), cmocka_unit_test(test_octree_figures),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -7,8 +7,9 @@
 
 #include <ctype.h>
 #include <math.h>
-#include <stddef.h>
 #include <string.h>
+
+#include "read/limits.h"
 
 enum {
 	KEY_ALPHA = OPTION_LONG_ONLY, KEY_AA, KEY_BITS, KEY_CAMERA_ONLY, KEY_CROP, KEY_DRY_RUN, KEY_LENIENT,
@@ -17,8 +18,10 @@ enum {
 };
 
 #define AA_WORDS "none 2 3 4 pov1 pov2"
+/* A test holds these against read_limit_table. */
 #define LIMIT_WORDS \
-	"nesting= macro-depth= include-depth= loop-steps= string-bytes= tokens= elements= objects= seconds="
+	"nesting= macro_depth= include_depth= loop_steps= string_bytes= tokens= elements= objects= " \
+	"memory= seconds="
 
 static const struct option_spec alidade_option[] = {
 	{ "output", 'o', OPTION_ARG, "FILE", COMPLETE_FILE, NULL,
@@ -60,8 +63,8 @@ static const struct option_spec alidade_option[] = {
 	{ "lenient", KEY_LENIENT, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
 	  "warn about what is not supported and render the rest", NULL },
 	{ "limit", KEY_LIMIT, OPTION_ARG, "NAME=N", COMPLETE_WORDS, LIMIT_WORDS,
-	  "change what a scene file may ask for: nesting, macro-depth, include-depth, loop-steps, "
-	  "string-bytes, tokens, elements, objects, seconds",
+	  "change what a scene file may ask for: nesting, macro_depth, include_depth, loop_steps, "
+	  "string_bytes, tokens, elements, objects, memory, seconds",
 	  NULL },
 	{ "dry-run", KEY_DRY_RUN, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
 	  "read the scene, say what it requires, and render nothing", NULL },
@@ -89,25 +92,6 @@ const struct option_program settings_program = {
 	.summary = "Render a POV-Ray scene file (.pov, or an .ini that names one; - is standard input)",
 	.endings = "pov ini",
 	.option = alidade_option,
-};
-
-/* struct read_limits by name. Numbers are kept within what the field holds. */
-struct limit_spec {
-	const char *name;
-	size_t offset;
-	enum { LIMIT_U32, LIMIT_U64, LIMIT_REAL } type;
-};
-#define LIMIT(name, field, type) { name, offsetof(struct read_limits, field), type }
-static const struct limit_spec limit_table[] = {
-	LIMIT("nesting", nesting, LIMIT_U32),
-	LIMIT("macro-depth", macro_depth, LIMIT_U32),
-	LIMIT("include-depth", include_depth, LIMIT_U32),
-	LIMIT("loop-steps", loop_steps, LIMIT_U64),
-	LIMIT("string-bytes", string_bytes, LIMIT_U64),
-	LIMIT("tokens", tokens, LIMIT_U64),
-	LIMIT("elements", elements, LIMIT_U64),
-	LIMIT("objects", objects, LIMIT_U64),
-	LIMIT("seconds", seconds, LIMIT_REAL),
 };
 
 void settings_init(struct settings *s, struct mem_book *book)
@@ -205,27 +189,13 @@ static enum status set_limit(struct settings *s, const struct option_spec *o, co
 {
 	const char *cursor = value;
 	struct option_pair pair;
-	uint64_t n;
 	double x;
 
-	option_next_pair(&cursor, &pair);
-	for (size_t i = 0; i < sizeof(limit_table) / sizeof(*limit_table); i++) {
-		const struct limit_spec *l = &limit_table[i];
-		char *field = (char *)&s->read.limits + l->offset;
-
-		if (strcmp(pair.key, l->name) != 0)
-			continue;
-		if (l->type == LIMIT_REAL && option_real(pair.value, 0, 1e9, &x))
-			memcpy(field, &x, sizeof(x));
-		else if (l->type == LIMIT_U64 && option_integer(pair.value, 1, UINT64_MAX, &n))
-			memcpy(field, &n, sizeof(n));
-		else if (l->type == LIMIT_U32 && option_integer(pair.value, 1, UINT32_MAX, &n))
-			memcpy(field, &(uint32_t){ (uint32_t)n }, sizeof(uint32_t));
-		else
-			return wrong(d, o, value, "a number after the =");
-		return STATUS_OK;
-	}
-	return wrong(d, o, value, "NAME=N with one of the names that --help lists");
+	if (!option_next_pair(&cursor, &pair) || *cursor || !option_real(pair.value, 0, 1e18, &x))
+		return wrong(d, o, value, "NAME=N");
+	if (!read_limits_set(&s->read.limits, pair.key, x))
+		return wrong(d, o, value, "one of the names that --help lists, and a number above 0");
+	return STATUS_OK;
 }
 
 /* The lists may grow with every -L and -D; they are short, so each time a new one is made. */
@@ -521,8 +491,8 @@ enum status settings_finish(struct settings *s, const struct read_job *job, stru
 	enum status st = STATUS_OK;
 
 	if (!(s->given & GIVEN_SIZE)) {
-		r->width = job->set & READ_JOB_WIDTH ? job->width : SETTINGS_WIDTH;
-		r->height = job->set & READ_JOB_HEIGHT ? job->height : SETTINGS_HEIGHT;
+		r->width = job->set & READ_JOB_WIDTH ? job->width : READ_WIDTH;
+		r->height = job->set & READ_JOB_HEIGHT ? job->height : READ_HEIGHT;
 	}
 	if (!(s->given & GIVEN_CROP))
 		st = take_crop(s, job, d);

@@ -17,8 +17,6 @@
 #include "read/read.h"
 #include "render/render.h"
 
-#define SETTINGS_WIDTH 800 /* as Debian's povray.ini has it: the same command line, the same picture */
-#define SETTINGS_HEIGHT 600
 #define SETTINGS_SIDE_MAX 1000000u
 
 enum settings_action {

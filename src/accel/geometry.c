@@ -12,6 +12,7 @@
 #include <time.h>
 
 #include "accel/load.h"
+#include "base/interrupt.h"
 
 static double now(void)
 {
@@ -50,6 +51,8 @@ static enum status refuse(const struct geometry *g, int result, const ald_error 
 					   "does not support this scene", "failed" };
 	const char *text = result > 0 && result <= ALD_FAILED ? why[result] : "failed";
 
+	if (result == ALD_CANCELLED && interrupt_asked())
+		return STATUS_SIGINT;
 	return diag_fail(diag, result == ALD_NO_MEMORY ? STATUS_FAILED : STATUS_ACCEL, NULL,
 			 "accelerator %s: building it %s%s%.255s; try another one (-a)", g->plugin->name,
 			 text, err->text[0] ? ": " : "", err->text);

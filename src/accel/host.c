@@ -5,6 +5,8 @@
 
 #include <stdio.h>
 
+#include "base/interrupt.h"
+
 static void *host_alloc(void *ctx, size_t bytes, const char *what)
 {
 	struct accel_host *h = ctx;
@@ -45,7 +47,7 @@ static int host_progress(void *ctx, double done)
 {
 	(void)ctx;
 	(void)done;
-	return 0;
+	return interrupt_asked();
 }
 
 static void host_log(void *ctx, int level, const char *text)

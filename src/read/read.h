@@ -26,6 +26,11 @@ struct read_limits {
 	double seconds; /* of reading; 0: none */
 };
 
+/* The picture's size where neither the caller nor an .ini gives one: that of Debian's povray.ini, so that
+ * the same command line asks POV-Ray and us for the same picture. */
+#define READ_WIDTH 800
+#define READ_HEIGHT 600
+
 struct read_define {
 	const char *name, *value; /* value is an SDL float or a quoted string */
 };

@@ -12,6 +12,7 @@
 
 #include <cmocka.h>
 
+#include "read/limits.h"
 #include "settings.h"
 
 struct fixture {
@@ -88,7 +89,7 @@ static void test_mistakes(void **state)
 		"--crop 1,2,0,4 a", "--aa pov3 a", "--aa 0 a", "--aa 65 a", "--aa pov1:what=1 a",
 		"--aa pov1:depth=0 a", "--aa pov1:threshold=-1 a", "-t 0 a", "-t x a", "--memory 1Q a",
 		"--tile 0 a", "-D x a", "-D 1=2 a", "-D a-b=2 a", "--limit what=1 a", "--limit tokens a",
-		"--limit tokens=0 a", "--limit nesting=4294967296 a", "--progress often a", "--bits 12 a",
+		"--limit tokens=0 a", "--limit tokens=1,nesting=2 a", "--progress often a", "--bits 12 a",
 		"-o - a",
 	};
 	struct fixture f;
@@ -100,6 +101,23 @@ static void test_mistakes(void **state)
 		assert_int_equal(f.diag.errors, 1);
 		assert_true(strlen(f.message) > 10);
 		settings_release(&f.s);
+	}
+}
+
+/* What --help and the shells list are the reader's limits. */
+static void test_limits(void **state)
+{
+	const struct option_spec *o = settings_program.option;
+	char word[64];
+
+	(void)state;
+	while (o->name && strcmp(o->name, "limit") != 0)
+		o++;
+	assert_non_null(o->name);
+	for (size_t i = 0; i < read_limit_count; i++) {
+		assert_non_null(strstr(o->help, read_limit_table[i].name));
+		snprintf(word, sizeof(word), "%s=", read_limit_table[i].name);
+		assert_non_null(strstr(o->words, word));
 	}
 }
 
@@ -165,7 +183,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_all_options), cmocka_unit_test(test_mistakes),
-		cmocka_unit_test(test_defaults), cmocka_unit_test(test_job),
+		cmocka_unit_test(test_limits), cmocka_unit_test(test_defaults), cmocka_unit_test(test_job),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

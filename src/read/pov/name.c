@@ -307,8 +307,8 @@ bool predeclare(struct pov *p)
 {
 	const struct read_options *o = p->options;
 
-	if (!predeclare_number(p, "image_width", o->width ? o->width : 320) ||
-	    !predeclare_number(p, "image_height", o->height ? o->height : 240) ||
+	if (!predeclare_number(p, "image_width", o->width ? o->width : READ_WIDTH) ||
+	    !predeclare_number(p, "image_height", o->height ? o->height : READ_HEIGHT) ||
 	    !predeclare_number(p, "frame_number", 0) || !predeclare_number(p, "initial_frame", 1) ||
 	    !predeclare_number(p, "final_frame", 1) || !predeclare_number(p, "initial_clock", 0) ||
 	    !predeclare_number(p, "final_clock", 1) || !predeclare_number(p, "clock_delta", 1) ||

@@ -60,8 +60,9 @@ static bool box_inside(const struct prim *p, vec at)
 	return fabs(at.x) <= p->half.x && fabs(at.y) <= p->half.y && fabs(at.z) <= p->half.z;
 }
 
-static double box_reach(const struct prim *p, unsigned k)
+static double box_reach(const struct prim *p, unsigned k, bool up)
 {
+	(void)up;
 	return fabs(p->half.x * p->from.m[0][k]) + fabs(p->half.y * p->from.m[1][k]) +
 	       fabs(p->half.z * p->from.m[2][k]);
 }

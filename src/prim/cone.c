@@ -109,12 +109,12 @@ static bool cone_inside(const struct prim *p, vec at)
 	return !p->open && fabs(at.z) <= 1 && at.x * at.x + at.y * at.y <= r * r;
 }
 
-static double cone_reach(const struct prim *p, unsigned k)
+static double cone_reach(const struct prim *p, unsigned k, bool up)
 {
-	double axis = fabs(p->from.m[2][k]), round = prim_column(p, k, true, true, false);
+	double axis = up ? p->from.m[2][k] : -p->from.m[2][k];
+	double round = prim_column(p, k, true, true, false);
 
-	/* The end at +z reaches axis + (a + b) round one way and (a + b) round - axis the other. */
-	return axis + fmax(p->a + p->b, p->a - p->b) * round;
+	return fmax(axis + (p->a + p->b) * round, -axis + (p->a - p->b) * round);
 }
 
 const struct prim_ops prim_cone_ops = { cone_roots, cone_surface, cone_inside, cone_reach };

@@ -24,8 +24,9 @@ static void disc_surface(const struct prim *p, vec at, uint32_t part, struct pri
 	s->n = vec_make(0, 0, 1);
 }
 
-static double disc_reach(const struct prim *p, unsigned k)
+static double disc_reach(const struct prim *p, unsigned k, bool up)
 {
+	(void)up;
 	return prim_column(p, k, true, true, false);
 }
 

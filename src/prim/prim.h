@@ -42,12 +42,12 @@ struct prim_point {
 };
 
 /* Per kind: roots along o + t d, both in own coordinates; the surface near p; is p inside; how far the
- * shape reaches from its centre along level axis k. */
+ * shape reaches from its centre up or down level axis k. */
 struct prim_ops {
 	void (*roots)(const struct prim *, vec o, vec d, struct prim_roots *);
 	void (*surface)(const struct prim *, vec p, uint32_t part, struct prim_point *);
 	bool (*inside)(const struct prim *, vec p);
-	double (*reach)(const struct prim *, unsigned k);
+	double (*reach)(const struct prim *, unsigned k, bool up);
 };
 
 extern const struct prim_ops prim_sphere_ops, prim_box_ops, prim_cone_ops, prim_disc_ops, prim_torus_ops;

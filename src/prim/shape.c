@@ -110,13 +110,15 @@ bool prim_make(struct prim *p, const struct object *o, const struct xform *place
 	    !isfinite(p->a) || !isfinite(p->b) || !vec_finite(p->half))
 		return false;
 	for (unsigned k = 0; k < 3; k++) {
-		double r = ops_of(p)->reach(p, k), mid = (&p->centre.x)[k];
-		double grow = pad + prim_map_error(&p->to, &p->from, k, size + fabs(mid)) + 8 * ALD_U * (r + fabs(mid));
+		double mid = (&p->centre.x)[k];
+		double up = ops_of(p)->reach(p, k, true), down = ops_of(p)->reach(p, k, false);
+		double grow = pad + prim_map_error(&p->to, &p->from, k, size + fabs(mid)) +
+			      8 * ALD_U * (fabs(up) + fabs(down) + fabs(mid));
 
-		if (!(r >= 0 && isfinite(r)))
+		if (!isfinite(up) || !isfinite(down))
 			return false;
-		(&p->box.lo.x)[k] = mid - (r + grow);
-		(&p->box.hi.x)[k] = mid + (r + grow);
+		(&p->box.lo.x)[k] = mid - (down + grow);
+		(&p->box.hi.x)[k] = mid + (up + grow);
 	}
 	return true;
 }

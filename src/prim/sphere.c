@@ -33,8 +33,9 @@ static bool sphere_inside(const struct prim *p, vec at)
 	return vec_dot(at, at) <= 1;
 }
 
-static double sphere_reach(const struct prim *p, unsigned k)
+static double sphere_reach(const struct prim *p, unsigned k, bool up)
 {
+	(void)up;
 	return prim_column(p, k, true, true, true);
 }
 

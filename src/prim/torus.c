@@ -140,8 +140,9 @@ static bool torus_inside(const struct prim *p, vec at)
 	return hypot(sqrt(at.x * at.x + at.z * at.z) - 1, at.y) <= p->a;
 }
 
-static double torus_reach(const struct prim *p, unsigned k)
+static double torus_reach(const struct prim *p, unsigned k, bool up)
 {
+	(void)up;
 	return prim_column(p, k, true, false, true) + p->a * prim_column(p, k, true, true, true);
 }
 

@@ -35,10 +35,18 @@ TESTS += tests/unit/test_options tests/unit/test_progress tests/unit/test_settin
 endif
 if HAVE_CMOCKA
 check_PROGRAMS += tests/unit/test_trace
-tests_unit_test_trace_SOURCES = tests/unit/test_trace.c
+tests_unit_test_trace_SOURCES = tests/unit/test_trace.c tests/unit/world_fixture.h
 tests_unit_test_trace_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_trace_LDADD = $(UNIT_LIBS)
-TESTS += tests/unit/test_trace
+check_PROGRAMS += tests/unit/test_kernel
+tests_unit_test_kernel_SOURCES = tests/unit/test_kernel.c tests/unit/mesh_fixture.h tests/unit/world_fixture.h
+tests_unit_test_kernel_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_kernel_LDADD = $(UNIT_LIBS)
+check_PROGRAMS += tests/unit/test_prim
+tests_unit_test_prim_SOURCES = tests/unit/test_prim.c tests/unit/world_fixture.h
+tests_unit_test_prim_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_prim_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_trace tests/unit/test_kernel tests/unit/test_prim
 endif
 
 if HAVE_CMOCKA

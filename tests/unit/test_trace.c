@@ -3,67 +3,7 @@
  *
  * Scenes through geometry_build() and the three questions, by brute force.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-#include "accel/trace.h"
-#include "alidade/kernel.h"
-#include "base/pool.h"
-
-struct world {
-	struct mem_book book;
-	struct scene scene;
-	struct diag diag;
-	struct pool *pool;
-	struct geometry *g;
-};
-
-static void begin(struct world *w)
-{
-	memset(w, 0, sizeof(*w));
-	mem_book_init(&w->book, 0);
-	scene_init(&w->scene, &w->book);
-	w->pool = pool_new(1);
-	assert_non_null(w->pool);
-}
-
-static void build(struct world *w)
-{
-	assert_int_equal(geometry_build(&w->g, &w->scene, NULL, w->pool, &w->book, true, &w->diag),
-			 STATUS_OK);
-}
-
-static void end(struct world *w)
-{
-	geometry_free(w->g);
-	scene_release(&w->scene);
-	pool_free(w->pool);
-	assert_int_equal(w->book.now, 0);
-}
-
-static struct object *add(struct world *w, enum shape_kind kind)
-{
-	uint32_t i = scene_add_object(&w->scene);
-
-	assert_true(i != SCENE_NONE);
-	scene_add_root(&w->scene, i);
-	w->scene.object[i].kind = kind;
-	return &w->scene.object[i];
-}
-
-static struct object *add_sphere(struct world *w, vec c, double r)
-{
-	struct object *o = add(w, SHAPE_SPHERE);
-
-	o->shape.sphere.centre = c;
-	o->shape.sphere.radius = r;
-	return o;
-}
+#include "world_fixture.h"
 
 /* n x n squares in the plane z = 0 over [0, 1]^2, two triangles each. */
 static uint32_t grid_mesh(struct world *w, uint32_t n)
@@ -95,20 +35,6 @@ static uint32_t grid_mesh(struct world *w, uint32_t n)
 		}
 	}
 	return i;
-}
-
-static ald_ray ray(vec o, vec d)
-{
-	return (ald_ray){ .org = o, .dir = d, .tmax = ALD_INF, .mask = ~0u, .skip = ALD_NONE,
-			  .after = ALD_NONE, .after_sub = { ALD_NONE, ALD_NONE } };
-}
-
-static ald_hit nearest(struct world *w, const ald_ray *r)
-{
-	ald_hit h;
-
-	trace_nearest(w->g, 0, r, &h, 1, 0);
-	return h;
 }
 
 static void spheres_planes_and_order(void **state)

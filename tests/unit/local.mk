@@ -35,7 +35,7 @@ TESTS += tests/unit/test_options tests/unit/test_progress tests/unit/test_settin
 endif
 if HAVE_CMOCKA
 check_PROGRAMS += tests/unit/test_trace
-tests_unit_test_trace_SOURCES = tests/unit/test_trace.c tests/unit/world_fixture.h
+tests_unit_test_trace_SOURCES = tests/unit/test_trace.c tests/unit/mesh_fixture.h tests/unit/world_fixture.h
 tests_unit_test_trace_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_trace_LDADD = $(UNIT_LIBS)
 check_PROGRAMS += tests/unit/test_kernel

@@ -3,7 +3,7 @@
  *
  * Scenes through geometry_build() and the three questions, by brute force.
  */
-#include "world_fixture.h"
+#include "mesh_fixture.h"
 
 /* n x n squares in the plane z = 0 over [0, 1]^2, two triangles each. */
 static uint32_t grid_mesh(struct world *w, uint32_t n)
@@ -200,6 +200,141 @@ static void inside_tests(void **state)
 	end(&w);
 }
 
+static struct shell shell;
+
+static uint32_t shell_mesh(struct world *w, double scale)
+{
+	uint32_t i = scene_add_mesh(&w->scene);
+	struct mesh *m = &w->scene.mesh[i];
+
+	m->vertex_count = shell.vertices;
+	m->triangle_count = shell.triangles;
+	m->vertex = mem_alloc(&w->book, "mesh", shell.vertices * 3 * sizeof(double));
+	m->index = mem_alloc(&w->book, "mesh", shell.triangles * 3 * sizeof(uint32_t));
+	for (uint32_t k = 0; k < shell.vertices; k++) {
+		m->vertex[3 * k] = shell.v[k].x * scale;
+		m->vertex[3 * k + 1] = shell.v[k].y * scale;
+		m->vertex[3 * k + 2] = shell.v[k].z * scale;
+	}
+	memcpy(m->index, shell.t, shell.triangles * sizeof(shell.t[0]));
+	return i;
+}
+
+/* Two round shells with a thin gap between them, of radius size, far from the origin: rays that leave the
+ * inner one meet the outer one and nothing else. */
+static void leave_shells(double size, double far, double gap, unsigned instanced)
+{
+	const struct xform place = xform_translate(vec_scale(vec_make(0.6, -0.64, 0.48), far * size));
+	uint64_t seed = 17;
+	struct world w;
+	uint32_t inner;
+
+	begin(&w);
+	shell_sphere(&shell, 12, 0x1p30, 0, &seed);
+	inner = shell_mesh(&w, size * 0x1p-30);
+	for (unsigned k = 0; k < 2; k++) {
+		struct xform x = xform_scale(k ? vec_make(1 + gap, 1 + gap, 1 + gap) : vec_make(1, 1, 1));
+		struct object *o = add(&w, SHAPE_MESH);
+		uint32_t mesh = k && !instanced ? shell_mesh(&w, size * 0x1p-30) : inner;
+
+		o = &w.scene.object[k];
+		o->shape.mesh = mesh;
+		o->place = xform_mul(&x, &place);
+	}
+	build(&w);
+	for (unsigned i = 0; i < 1000; i++) {
+		vec centre = vec_make(place.fwd.m[3][0], place.fwd.m[3][1], place.fwd.m[3][2]);
+		ald_ray r = ray(vec_mad(centre, random_vec(&seed), 0.1 * size), random_unit(&seed));
+		ald_hit h = nearest(&w, &r);
+		struct surface s;
+
+		assert_true(h.prim != ALD_NONE);
+		surface_at(w.g, &r, &h, &s);
+		assert_int_equal(s.object, 0);
+		/* The gap is along the normal: less for flat faces, but far more than the error. */
+		assert_true(s.error < 0.1 * gap * size);
+		if (vec_dot(s.n, r.dir) < 0)
+			s.n = vec_neg(s.n);
+		r = ray(vec_mad(s.p, s.n, s.error), random_unit(&seed));
+		if (vec_dot(r.dir, s.n) < 0)
+			r.dir = vec_neg(r.dir);
+		if (s.planar)
+			r.skip = h.prim;
+		h = nearest(&w, &r);
+		assert_true(h.prim != ALD_NONE);
+		surface_at(w.g, &r, &h, &s);
+		assert_int_equal(s.object, 1);
+		r = ray(vec_mad(s.p, s.n, (vec_dot(s.n, r.dir) < 0 ? -1 : 1) * s.error), r.dir);
+		r.skip = s.planar ? h.prim : ALD_NONE;
+		assert_int_equal(nearest(&w, &r).prim, ALD_NONE);
+	}
+	end(&w);
+}
+
+static void secondary_rays_leave_meshes(void **state)
+{
+	(void)state;
+	for (unsigned instanced = 0; instanced < 2; instanced++) {
+		for (int e = -6; e <= 6; e += 3) {
+			leave_shells(pow(10, e), 0, 1e-6, instanced);
+			leave_shells(pow(10, e), 1e3, 1e-6, instanced);
+			leave_shells(pow(10, e), 1e6, 1e-4, instanced);
+		}
+		leave_shells(1e-30, 0, 1e-6, instanced);
+		leave_shells(1e30, 0, 1e-6, instanced);
+	}
+}
+
+/* Coincident surfaces: each is seen once, in the order of ids, whatever they are. */
+static void walks_lose_nothing(void **state)
+{
+	uint64_t seed = 23;
+	struct world w;
+
+	(void)state;
+	begin(&w);
+	shell_sphere(&shell, 6, 0x1p30, 0, &seed);
+	uint32_t mesh = shell_mesh(&w, 0x1p-30), copy = shell_mesh(&w, 0x1p-30);
+
+	for (unsigned k = 0; k < 5; k++) {
+		struct object *o = add(&w, SHAPE_MESH);
+
+		o->shape.mesh = k < 3 ? mesh : copy; /* three instances, then two more */
+	}
+	for (unsigned k = 0; k < 3; k++)
+		add_sphere(&w, vec_make(0, 0, 0), 0.5);
+	build(&w);
+	for (unsigned i = 0; i < 3000; i++) {
+		ald_ray r = ray(vec_scale(random_unit(&seed), 3), vec_make(0, 0, 0));
+		unsigned hits[8] = { 0 };
+		double last = -1;
+
+		/* Every fourth through a vertex: then each mesh is met several times at one t. */
+		r.dir = vec_sub(i % 4 ? vec_scale(random_vec(&seed), 0.4) :
+					vec_scale(shell.v[i % shell.vertices], 0x1p-30), r.org);
+		for (unsigned n = 0;; n++) {
+			ald_hit h = nearest(&w, &r);
+			struct surface s;
+
+			assert_true(n < 200);
+			if (h.prim == ALD_NONE)
+				break;
+			surface_at(w.g, &r, &h, &s);
+			assert_true(h.t >= last);
+			last = h.t;
+			hits[s.object]++;
+			trace_after(&r, &h);
+		}
+		for (unsigned k = 1; k < 5; k++)
+			assert_int_equal(hits[k], hits[0]);
+		assert_true(hits[0] >= 2 || i % 4 == 0);
+		assert_int_equal(hits[5], hits[6]);
+		assert_int_equal(hits[5], hits[7]);
+		assert_int_equal(hits[5] & 1, 0);
+	}
+	end(&w);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -207,6 +342,8 @@ int main(void)
 		cmocka_unit_test(instances_equal_baked),
 		cmocka_unit_test(bad_rays_miss),
 		cmocka_unit_test(inside_tests),
+		cmocka_unit_test(secondary_rays_leave_meshes),
+		cmocka_unit_test(walks_lose_nothing),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,49 +1,428 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * Items: what stands at the top level of a scene.
+ * Items: which reader a keyword goes to, at the top level, in #declare and in #default (manual 3.3.2.8
+ * and 3.4), and what all readers of blocks share.
  */
 #include <config.h>
 
-#include "read/pov/parser.h"
+#include "read/pov/items.h"
 
-static bool skip_item(struct pov *p, const char *name)
+#include <string.h>
+
+#include "read/limits.h"
+
+bool pov_open(struct pov *p)
 {
-	struct diag_pos pos = pov_pos(p);
+	const char *word = keyword_text(pov_token(p));
 
 	pov_next(p);
-	if (pov_unsupported(p, &pos, name, NULL))
-		pov_skip_block(p);
-	return true;
+	return pov_expect(p, TOK_LEFT_BRACE, word) && pov_nest(p);
 }
 
-bool pov_top_item(struct pov *p)
+bool pov_close(struct pov *p, const char *block)
 {
-	enum pov_token_kind kind = pov_token(p);
-
-	if (pov_ident_kind(p) != ITEM_NONE) {
-		pov_next(p);
-		return true;
-	}
-	if (kind < TOK_HASH)
+	if (pov_failed(p))
 		return false;
-	return skip_item(p, keyword_text(kind));
+	if (pov_token(p) == TOK_END) {
+		pov_fail(p, "the file ends inside %s { ... }: a } is missing", block);
+		return false;
+	}
+	if (pov_token(p) != TOK_RIGHT_BRACE) {
+		pov_fail(p, "%s is not expected in %s { ... } here", pov_text(p), block);
+		return false;
+	}
+	pov_unnest(p);
+	pov_next(p);
+	return !pov_failed(p);
 }
 
-void pov_default(struct pov *p)
+void pov_skip_rest(struct pov *p)
 {
-	while (pov_token(p) != TOK_RIGHT_BRACE && pov_token(p) != TOK_END) {
-		pov_next(p);
-		pov_skip_block(p);
+	while (!pov_failed(p)) {
+		enum pov_token_kind t = pov_token(p);
+
+		if (t == TOK_RIGHT_BRACE || t == TOK_END)
+			return;
+		if (t == TOK_LEFT_BRACE)
+			pov_skip_block(p);
+		else
+			pov_next(p);
+	}
+}
+
+void *pov_take(struct pov *p, enum pov_item_kind kind)
+{
+	void *item;
+
+	if (pov_token(p) != TOK_IDENT || pov_ident_kind(p) != kind)
+		return NULL;
+	item = pov_ident_item(p);
+	pov_next(p);
+	return item;
+}
+
+bool pov_starts_colour(struct pov *p)
+{
+	switch (pov_token(p)) {
+	case TOK_COLOUR:
+	case TOK_RGB:
+	case TOK_RGBF:
+	case TOK_RGBT:
+	case TOK_RGBFT:
+	case TOK_SRGB:
+	case TOK_SRGBF:
+	case TOK_SRGBT:
+	case TOK_SRGBFT:
+	case TOK_RED:
+	case TOK_GREEN:
+	case TOK_BLUE:
+	case TOK_FILTER:
+	case TOK_TRANSMIT:
+	case TOK_ALPHA:
+	case TOK_GRAY:
+		return true;
+	default:
+		return pov_starts_number(p);
+	}
+}
+
+void *pov_new(struct pov *p, size_t bytes)
+{
+	void *item = arena_zalloc(pov_arena(p), bytes);
+
+	if (!item)
+		pov_no_memory(p);
+	return item;
+}
+
+void *pov_copy(struct pov *p, const void *item, size_t bytes)
+{
+	void *copy = pov_new(p, bytes);
+
+	if (copy)
+		memcpy(copy, item, bytes);
+	return copy;
+}
+
+double pov_finite_float(struct pov *p, const char *what)
+{
+	struct diag_pos at = pov_pos(p);
+	double x = pov_float(p);
+
+	if (!isfinite(x)) {
+		pov_fail_at(p, &at, "%s is not a finite number", what);
+		return 0;
+	}
+	return x;
+}
+
+double pov_positive(struct pov *p, const char *what)
+{
+	struct diag_pos at = pov_pos(p);
+	double x = pov_finite_float(p, what);
+
+	if (!pov_failed(p) && !(x > 0)) {
+		pov_fail_at(p, &at, "%s is %g, but has to be greater than 0", what, x);
+		return 1;
+	}
+	return x;
+}
+
+vec pov_finite_vector(struct pov *p, const char *what)
+{
+	struct diag_pos at = pov_pos(p);
+	vec v = pov_vector(p);
+
+	if (!vec_finite(v)) {
+		pov_fail_at(p, &at, "%s has a component that is not a finite number", what);
+		return vec_make(0, 0, 0);
+	}
+	return v;
+}
+
+struct rgbft pov_finite_colour(struct pov *p, const char *what)
+{
+	struct diag_pos at = pov_pos(p);
+	struct rgbft c = pov_colour(p);
+
+	if (!isfinite(c.r) || !isfinite(c.g) || !isfinite(c.b) || !isfinite(c.filter) ||
+	    !isfinite(c.transmit)) {
+		pov_fail_at(p, &at, "%s has a component that is not a finite number", what);
+		return (struct rgbft){ 0 };
+	}
+	return c;
+}
+
+/* Kinds that are known by name only. */
+static const struct known {
+	enum pov_token_kind token;
+	enum pov_item_kind kind;
+	const char *construct; /* used at the top level */
+} known[] = {
+	{ TOK_FOG, ITEM_FOG, "fog" },
+	{ TOK_RAINBOW, ITEM_RAINBOW, "rainbow" },
+	{ TOK_SKY_SPHERE, ITEM_SKY_SPHERE, "sky_sphere" },
+	{ TOK_MEDIA, ITEM_MEDIA, "media" },
+	{ TOK_DENSITY, ITEM_DENSITY, "density" },
+	{ TOK_COLOUR_MAP, ITEM_COLOUR_MAP, "color_map" },
+	{ TOK_PIGMENT_MAP, ITEM_PIGMENT_MAP, "pigment_map" },
+	{ TOK_NORMAL_MAP, ITEM_NORMAL_MAP, "normal_map" },
+	{ TOK_TEXTURE_MAP, ITEM_TEXTURE_MAP, "texture_map" },
+	{ TOK_SLOPE_MAP, ITEM_SLOPE_MAP, "slope_map" },
+	{ TOK_DENSITY_MAP, ITEM_DENSITY_MAP, "density_map" },
+};
+
+static const struct known *find_known(enum pov_token_kind token)
+{
+	for (size_t i = 0; i < sizeof(known) / sizeof(known[0]); i++) {
+		if (known[i].token == token)
+			return &known[i];
+	}
+	return NULL;
+}
+
+static struct pov_other *read_known(struct pov *p, const struct known *k)
+{
+	struct pov_other *other = pov_new(p, sizeof(*other));
+
+	if (!other)
+		return NULL;
+	pov_lack_note(p, &other->lack, k->construct, NULL);
+	pov_next(p);
+	if (pov_token(p) != TOK_LEFT_BRACE) {
+		pov_expect(p, TOK_LEFT_BRACE, k->construct);
+		return NULL;
+	}
+	pov_skip_block(p);
+	return pov_failed(p) ? NULL : other;
+}
+
+static void *read_transform(struct pov *p)
+{
+	struct xform *x = pov_copy(p, &xform_identity, sizeof(*x));
+
+	return x && pov_transform(p, x) && !pov_failed(p) ? x : NULL;
+}
+
+/* texture { } texture { } after #declare are the layers of one texture. */
+static struct pov_texture *read_layers(struct pov *p)
+{
+	struct pov_texture *all = NULL;
+
+	while (pov_token(p) == TOK_TEXTURE) {
+		struct pov_texture *t = pov_read_texture(p);
+
+		all = t ? pov_texture_over(p, t, all) : NULL;
+		if (!all)
+			return NULL;
+	}
+	return all;
+}
+
+static void *read_declared(struct pov *p, enum pov_item_kind *kind)
+{
+	struct pov_material m = { 0 };
+	const struct known *k;
+
+	switch (pov_token(p)) {
+	case TOK_PIGMENT:
+		*kind = ITEM_PIGMENT;
+		return pov_read_pigment(p, &pov_default_texture(p)->layer[0].pigment);
+	case TOK_NORMAL:
+		*kind = ITEM_NORMAL;
+		return pov_read_normal(p);
+	case TOK_FINISH:
+		*kind = ITEM_FINISH;
+		return pov_read_finish(p, &pov_default_texture(p)->layer[0].finish);
+	case TOK_TEXTURE:
+		*kind = ITEM_TEXTURE;
+		return read_layers(p);
+	case TOK_INTERIOR:
+		*kind = ITEM_INTERIOR;
+		return pov_read_interior(p, NULL);
+	case TOK_MATERIAL:
+		*kind = ITEM_MATERIAL;
+		return pov_read_material(p, &m) ? pov_copy(p, &m, sizeof(m)) : NULL;
+	case TOK_CAMERA:
+		*kind = ITEM_CAMERA;
+		return pov_read_camera(p);
+	case TOK_TRANSFORM:
+	case TOK_TRANSLATE:
+	case TOK_ROTATE:
+	case TOK_SCALE:
+	case TOK_MATRIX:
+		*kind = ITEM_TRANSFORM;
+		return read_transform(p);
+	default:
+		k = find_known(pov_token(p));
+		if (k) {
+			*kind = k->kind;
+			return read_known(p, k);
+		}
+		*kind = ITEM_OBJECT;
+		if (pov_starts_object(p))
+			return pov_read_object(p);
+		pov_fail(p, "%s cannot be declared", pov_text(p));
+		return NULL;
 	}
 }
 
 void *pov_read_item(struct pov *p, enum pov_item_kind *kind)
 {
-	static char none;
+	void *item;
 
-	*kind = ITEM_OTHER;
-	pov_next(p);
-	pov_skip_block(p);
-	return &none;
+	if (pov_token(p) == TOK_IDENT && pov_ident_kind(p) != ITEM_NONE) {
+		*kind = pov_ident_kind(p);
+		return pov_take(p, *kind);
+	}
+	item = read_declared(p, kind);
+	return pov_failed(p) ? NULL : item;
+}
+
+static void top_camera(struct pov *p)
+{
+	struct pov_camera *c = pov_read_camera(p);
+
+	if (!c)
+		return;
+	/* The last camera of a file is the one that counts, so only that one can lack something. */
+	pov_state(p)->camera = c;
+	pov_scene(p)->camera = c->camera;
+	pov_scene(p)->has_camera = true;
+}
+
+static void top_known(struct pov *p, const struct known *k)
+{
+	struct pov_other *other = read_known(p, k);
+
+	if (other)
+		pov_lack_use(p, &other->lack);
+}
+
+bool pov_top_item(struct pov *p)
+{
+	const struct known *k;
+
+	switch (pov_token(p)) {
+	case TOK_GLOBAL_SETTINGS:
+		pov_read_settings(p);
+		return true;
+	case TOK_BACKGROUND:
+		pov_read_background(p);
+		return true;
+	case TOK_CAMERA:
+		top_camera(p);
+		return true;
+	case TOK_FOG:
+	case TOK_RAINBOW:
+	case TOK_SKY_SPHERE:
+	case TOK_MEDIA:
+		k = find_known(pov_token(p));
+		top_known(p, k);
+		return true;
+	default:
+		if (!pov_starts_object(p))
+			return false;
+		pov_use_object(p, pov_read_object(p));
+		return true;
+	}
+}
+
+/* #default { ... }: always one plain layer, as in POV-Ray. */
+static void set_default(struct pov *p, struct pov_texture *t, const struct diag_pos *at)
+{
+	if (!t || pov_failed(p))
+		return;
+	if (t->count != 1)
+		pov_fail_at(p, at, "#default takes no layered texture");
+	pov_state(p)->base = t;
+}
+
+void pov_default(struct pov *p)
+{
+	while (!pov_failed(p)) {
+		struct pov_texture *t = pov_default_texture(p);
+		struct diag_pos at = pov_pos(p);
+		struct pov_camera *c;
+
+		switch (pov_token(p)) {
+		case TOK_TEXTURE:
+			set_default(p, pov_read_texture(p), &at);
+			break;
+		case TOK_PIGMENT:
+		case TOK_NORMAL:
+		case TOK_FINISH:
+			if (pov_texture_part(p, &t))
+				set_default(p, t, &at);
+			break;
+		case TOK_RADIOSITY:
+			pov_next(p);
+			if (pov_token(p) == TOK_LEFT_BRACE)
+				pov_skip_block(p);
+			break;
+		case TOK_CAMERA:
+			c = pov_read_camera(p);
+			if (c)
+				pov_warn(p, &at, "a #default camera is not used: write a camera block");
+			break;
+		default:
+			return;
+		}
+	}
+}
+
+static void note_legacy(struct pov *p)
+{
+	struct scene *s = pov_scene(p);
+
+	if (s->version >= 370)
+		return;
+	if (!pov_state(p)->gamma_given)
+		pov_warn(p, NULL, "the scene is written for version %d.%d and gives no assumed_gamma: no "
+			 "gamma correction is done, as in POV-Ray; add global_settings { assumed_gamma "
+			 "1.0 } or #version 3.7 if the picture looks too dark or too bright",
+			 s->version / 100, s->version / 10 % 10);
+	for (uint32_t i = 0; i < s->texture_count; i++) {
+		if (s->texture[i].count < 2)
+			continue;
+		pov_warn(p, NULL, "layered textures of a scene for version %d.%d are blended by the rules "
+			 "of version 3.7", s->version / 100, s->version / 10 % 10);
+		return;
+	}
+}
+
+/* POV-Ray starts from black pigment and the default finish (manual 3.3.2.8). */
+struct pov_state *pov_items_begin(struct pov *p)
+{
+	struct pov_state *s = pov_new(p, sizeof(*s));
+
+	if (!s)
+		return NULL;
+	s->first_layer.finish.finish = finish_default();
+	s->first = (struct pov_texture){ .count = 1, .layer = &s->first_layer, .index = SCENE_NONE };
+	s->base = &s->first;
+	s->object_limit = read_limits_fill(&pov_options(p)->limits).objects;
+	pov_scene(p)->assumed_gamma = 0; /* until it is given */
+	return s;
+}
+
+void pov_items_end(struct pov *p)
+{
+	struct pov_state *s = pov_state(p);
+
+	if (pov_failed(p))
+		return;
+	/* Version 3.7 takes linear light where nothing is said, older ones do no correction. */
+	if (!s->gamma_given && pov_scene(p)->version >= 370)
+		pov_scene(p)->assumed_gamma = 1;
+	if (s->camera)
+		pov_lack_use(p, &s->camera->lack);
+	if (s->photons.construct && s->object_photons.construct)
+		pov_lack_use(p, &s->photons);
+	if (s->subsurface.construct && s->finish_subsurface.construct)
+		pov_lack_use(p, &s->finish_subsurface);
+	if (s->radiosity.construct)
+		pov_warn(p, &s->radiosity.pos, "radiosity: indirect light is not rendered yet");
+	note_legacy(p);
 }

@@ -117,6 +117,13 @@ void pov_raw_done(struct pov *, const char *now);
 bool pov_top_item(struct pov *); /* false: not an item; nothing read */
 void pov_default(struct pov *); /* the body of #default { ... }, after the {, up to the } */
 
+/* What the items have to remember while a file is read: the parser keeps it for them. pov_read() calls
+ * begin first (NULL: no memory, reported) and end last, when the whole file has been read. */
+struct pov_state;
+struct pov_state *pov_items_begin(struct pov *);
+struct pov_state *pov_state(struct pov *);
+void pov_items_end(struct pov *);
+
 /* Carry the whole file out: the loop over top-level items. In direct.c. */
 enum status pov_read(const char *path, const char *bytes, size_t size, const struct read_options *,
 		     struct scene *, struct diag *);

@@ -1,0 +1,329 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Cameras (manual 3.4.2), placed as POV-Ray places them: whatever the order of the text, right comes
+ * first, then direction, angle, up, sky, location, look_at and the transforms; before version 3.5 each
+ * word acts at once.
+ */
+#include <config.h>
+
+#include "read/pov/items.h"
+
+#define TINY 1e-10 /* what POV-Ray takes for 0 */
+#define PI 3.14159265358979323846
+
+/* A camera before it is placed. */
+struct draft {
+	enum camera_kind kind;
+	vec location, direction, right, up, sky, look_at;
+	bool has_right, has_up, has_angle, has_look_at;
+	double angle; /* degrees; 0: given without a value */
+	double aperture, blur_samples;
+	struct xform place;
+	struct diag_pos pos, angle_pos, look_pos;
+	struct pov_lack lack;
+};
+
+static struct draft draft_default(void)
+{
+	return (struct draft){ .kind = CAMERA_PERSPECTIVE,
+			       .direction = { 0, 0, 1 },
+			       .right = { 1.33, 0, 0 },
+			       .up = { 0, 1, 0 },
+			       .sky = { 0, 1, 0 },
+			       .look_at = { 0, 0, 1 },
+			       .place = xform_identity };
+}
+
+static void apply_angle(struct pov *p, struct draft *d)
+{
+	if (d->angle >= 180) {
+		pov_fail_at(p, &d->angle_pos, "angle is %g, but has to be below 180 degrees", d->angle);
+		return;
+	}
+	if (d->angle > 0)
+		d->direction = vec_scale(vec_unit(d->direction), vec_length(d->right) /
+					 tan(d->angle * PI / 360) / 2);
+}
+
+static void apply_look_at(struct pov *p, struct draft *d)
+{
+	double direction = vec_length(d->direction), right = vec_length(d->right);
+	double up = vec_length(d->up);
+	double handed = vec_dot(vec_cross(d->up, d->direction), d->right);
+	vec to = vec_sub(d->look_at, d->location), across;
+
+	if (vec_dot(to, to) < TINY) {
+		pov_fail_at(p, &d->look_pos, "look_at is the camera's location; move one of them");
+		return;
+	}
+	to = vec_unit(to);
+	across = vec_cross(d->sky, to);
+	if (fabs(across.x) < TINY && fabs(across.y) < TINY && fabs(across.z) < TINY) {
+		pov_warn(p, &d->look_pos, "the camera looks along its sky vector: right stays as given");
+		across = d->right;
+	}
+	across = vec_unit(across);
+	d->up = vec_scale(vec_cross(to, across), up);
+	d->right = vec_scale(across, handed > 0 ? right : -right);
+	d->direction = vec_scale(to, direction);
+}
+
+/* The view of an orthographic camera is as wide as a perspective one's where it looks at. */
+static void apply_orthographic(struct draft *d)
+{
+	double far = vec_length(vec_sub(d->look_at, d->location)), near = vec_length(d->direction);
+
+	if (far > TINY && near > TINY) {
+		d->right = vec_scale(d->right, far / near);
+		d->up = vec_scale(d->up, far / near);
+	}
+}
+
+static void apply_place(struct draft *d)
+{
+	d->location = mat_point(&d->place.fwd, d->location);
+	d->direction = mat_dir(&d->place.fwd, d->direction);
+	d->right = mat_dir(&d->place.fwd, d->right);
+	d->up = mat_dir(&d->place.fwd, d->up);
+	d->sky = mat_dir(&d->place.fwd, d->sky);
+}
+
+static const char *camera_type(enum pov_token_kind t)
+{
+	switch (t) {
+	case TOK_FISHEYE:
+		return "fisheye camera";
+	case TOK_ULTRA_WIDE_ANGLE:
+		return "ultra_wide_angle camera";
+	case TOK_OMNIMAX:
+		return "omnimax camera";
+	case TOK_PANORAMIC:
+		return "panoramic camera";
+	case TOK_SPHERICAL:
+		return "spherical camera";
+	case TOK_CYLINDER:
+		return "cylinder camera";
+	case TOK_MESH_CAMERA:
+		return "mesh_camera";
+	default:
+		return NULL;
+	}
+}
+
+/* perspective, orthographic, and those that we do not render. */
+static bool read_type(struct pov *p, struct draft *d)
+{
+	enum pov_token_kind t = pov_token(p);
+	const char *other = camera_type(t);
+
+	if (t == TOK_PERSPECTIVE) {
+		d->kind = CAMERA_PERSPECTIVE;
+	} else if (t == TOK_ORTHOGRAPHIC) {
+		d->kind = CAMERA_ORTHOGRAPHIC;
+		if (pov_version(p) < 350)
+			apply_orthographic(d);
+	} else if (other) {
+		pov_lack_note(p, &d->lack, other, "use a perspective or orthographic camera");
+	} else {
+		return false;
+	}
+	pov_next(p);
+	if (t == TOK_CYLINDER)
+		pov_float(p);
+	else if (t == TOK_SPHERICAL && pov_starts_number(p))
+		pov_float(p);
+	else if (t == TOK_MESH_CAMERA && pov_token(p) == TOK_LEFT_BRACE)
+		pov_skip_block(p);
+	return true;
+}
+
+static void read_angle(struct pov *p, struct draft *d)
+{
+	pov_next(p);
+	d->angle_pos = pov_pos(p);
+	d->has_angle = true;
+	d->angle = 0;
+	/* The add-on writes the word alone in orthographic cameras. */
+	if (pov_starts_number(p)) {
+		d->angle = pov_finite_float(p, "angle");
+		if (d->angle < 0)
+			pov_fail_at(p, &d->angle_pos, "angle is %g, but cannot be negative", d->angle);
+		if (d->lack.construct) { /* fisheye and the like: two angles, or above 180 */
+			pov_comma(p);
+			if (pov_starts_number(p))
+				pov_float(p);
+		}
+	} else if (d->kind != CAMERA_ORTHOGRAPHIC && !d->lack.construct) {
+		pov_fail(p, "angle needs a number of degrees");
+	}
+	if (pov_version(p) < 350 && d->kind == CAMERA_PERSPECTIVE && !d->lack.construct)
+		apply_angle(p, d);
+}
+
+static void read_look_at(struct pov *p, struct draft *d)
+{
+	pov_next(p);
+	d->look_pos = pov_pos(p);
+	d->look_at = pov_finite_vector(p, "look_at");
+	d->has_look_at = true;
+	if (pov_version(p) < 350 && !pov_failed(p))
+		apply_look_at(p, d);
+}
+
+/* Depth of field and a bumpy lens, which are not rendered. */
+static bool read_optics(struct pov *p, struct draft *d)
+{
+	switch (pov_token(p)) {
+	case TOK_APERTURE:
+		pov_next(p);
+		d->aperture = pov_finite_float(p, "aperture");
+		break;
+	case TOK_BLUR_SAMPLES:
+		pov_next(p);
+		d->blur_samples = pov_finite_float(p, "blur_samples");
+		pov_comma(p);
+		if (pov_starts_number(p))
+			pov_float(p);
+		break;
+	case TOK_CONFIDENCE:
+	case TOK_VARIANCE:
+		pov_next(p);
+		pov_float(p);
+		break;
+	case TOK_FOCAL_POINT:
+		pov_next(p);
+		pov_vector(p);
+		break;
+	case TOK_NORMAL:
+		pov_lack_note(p, &d->lack, "camera normal", "remove normal { } from the camera");
+		pov_next(p);
+		pov_skip_block(p);
+		break;
+	case TOK_BOKEH:
+		pov_next(p);
+		pov_skip_block(p);
+		break;
+	default:
+		return false;
+	}
+	if (d->aperture != 0 && d->blur_samples > 0)
+		pov_lack_note(p, &d->lack, "focal blur", "remove aperture and blur_samples from the camera");
+	return true;
+}
+
+static bool read_modifier(struct pov *p, struct draft *d)
+{
+	static const struct {
+		enum pov_token_kind token;
+		const char *name;
+	} word[] = { { TOK_LOCATION, "location" }, { TOK_DIRECTION, "direction" },
+		     { TOK_RIGHT, "right" },	   { TOK_UP, "up" },
+		     { TOK_SKY, "sky" } };
+	vec *to[] = { &d->location, &d->direction, &d->right, &d->up, &d->sky };
+	enum pov_token_kind t = pov_token(p);
+
+	for (size_t i = 0; i < sizeof(word) / sizeof(word[0]); i++) {
+		if (t != word[i].token)
+			continue;
+		pov_next(p);
+		*to[i] = pov_finite_vector(p, word[i].name);
+		d->has_right |= t == TOK_RIGHT;
+		d->has_up |= t == TOK_UP;
+		return true;
+	}
+	switch (t) {
+	case TOK_ANGLE:
+		read_angle(p, d);
+		return true;
+	case TOK_LOOK_AT:
+		read_look_at(p, d);
+		return true;
+	default:
+		if (pov_transform(p, &d->place)) {
+			if (pov_version(p) < 350) {
+				apply_place(d);
+				d->place = xform_identity;
+			}
+			return true;
+		}
+		return read_optics(p, d) || read_type(p, d);
+	}
+}
+
+static void check_camera(struct pov *p, const struct draft *d)
+{
+	vec normal = vec_cross(d->right, d->up);
+
+	if (pov_failed(p))
+		return;
+	if (!vec_finite(d->location) || !vec_finite(d->direction) || !vec_finite(normal))
+		pov_fail_at(p, &d->pos, "the camera's vectors are too large");
+	else if (fabs(vec_dot(normal, d->direction)) == 0)
+		pov_fail_at(p, &d->pos, "the camera's right, up and direction lie in one plane: nothing "
+			    "could be seen");
+	else if (fabs(vec_dot(d->right, d->up)) > TINY || fabs(vec_dot(d->right, d->direction)) > TINY ||
+		 fabs(vec_dot(d->up, d->direction)) > TINY)
+		pov_warn(p, &d->pos, "the camera's right, up and direction are not perpendicular: the "
+			 "picture will be skewed");
+}
+
+/* camera { NAME transforms }: the declared camera is moved as a whole. */
+static void move_declared(struct pov *p, const struct pov_camera *c, struct draft *d)
+{
+	d->kind = c->camera.kind;
+	d->location = c->camera.location;
+	d->direction = c->camera.direction;
+	d->right = c->camera.right;
+	d->up = c->camera.up;
+	d->lack = c->lack;
+	while (!pov_failed(p) && pov_transform(p, &d->place))
+		;
+	apply_place(d);
+}
+
+static void read_body(struct pov *p, struct draft *d)
+{
+	const struct pov_camera *c = pov_take(p, ITEM_CAMERA);
+
+	if (c) {
+		move_declared(p, c, d);
+		return;
+	}
+	while (!pov_failed(p) && read_modifier(p, d))
+		;
+	if (pov_version(p) < 350 || pov_failed(p))
+		return;
+	if (d->has_angle && !d->lack.construct)
+		apply_angle(p, d);
+	if (d->has_look_at && !pov_failed(p))
+		apply_look_at(p, d);
+	/* As the add-on relies on: an angle of any value, or neither up nor right given. */
+	if (d->kind == CAMERA_ORTHOGRAPHIC && (d->has_angle || (!d->has_up && !d->has_right)))
+		apply_orthographic(d);
+	apply_place(d);
+}
+
+struct pov_camera *pov_read_camera(struct pov *p)
+{
+	struct draft d = draft_default();
+	struct pov_camera *c;
+
+	d.pos = pov_pos(p);
+	if (!pov_open(p))
+		return NULL;
+	read_body(p, &d);
+	if (!d.lack.construct)
+		check_camera(p, &d);
+	c = pov_new(p, sizeof(*c));
+	if (!c || !pov_close(p, "camera"))
+		return NULL;
+	c->camera = (struct camera){ .kind = d.kind,
+				     .location = d.location,
+				     .direction = d.direction,
+				     .right = d.right,
+				     .up = d.up,
+				     .pos = d.pos };
+	c->lack = d.lack;
+	return c;
+}

@@ -1,0 +1,153 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * What a scene file's blocks are read into before they are used: the things that identifiers stand for.
+ *
+ * All of them live in the parser's arena and are never changed once they have been read (but for the
+ * memo fields said so below), so that copying an identifier is copying a pointer. Only what is used
+ * reaches the scene; what cannot be rendered is kept as a struct pov_lack and reported at that moment.
+ */
+#ifndef ALIDADE_READ_POV_ITEMS_H
+#define ALIDADE_READ_POV_ITEMS_H
+
+#include "read/pov/parser.h"
+
+struct pov_pigment { /* ITEM_PIGMENT */
+	struct rgbft colour;
+	struct pov_lack lack;
+};
+
+struct pov_normal { /* ITEM_NORMAL */
+	struct pov_lack lack;
+};
+
+struct pov_finish { /* ITEM_FINISH */
+	struct finish finish;
+	bool subsurface; /* matters only if global_settings has a subsurface block too */
+	struct pov_lack lack;
+};
+
+struct pov_layer {
+	struct pov_pigment pigment;
+	struct pov_normal normal;
+	struct pov_finish finish;
+};
+
+struct pov_texture { /* ITEM_TEXTURE */
+	struct pov_lack lack; /* a pattern of textures */
+	uint32_t count; /* of layers, at least 1 */
+	struct pov_layer *layer; /* [0] is the topmost */
+	uint32_t index; /* memo: the scene's texture, SCENE_NONE until first used */
+};
+
+struct pov_interior { /* ITEM_INTERIOR */
+	struct interior interior;
+	struct pov_lack lack;
+	struct pov_lack media; /* matters only in a hollow object */
+	uint32_t index; /* memo, as above */
+};
+
+struct pov_material { /* ITEM_MATERIAL; each may be NULL */
+	struct pov_texture *texture, *interior_texture;
+	struct pov_interior *interior;
+};
+
+struct pov_camera { /* ITEM_CAMERA */
+	struct camera camera;
+	struct pov_lack lack;
+};
+
+/* A mesh is put into the scene as it is read; its textures follow when it is used. */
+struct pov_mesh {
+	uint32_t index; /* of the scene's mesh */
+	uint32_t list_count;
+	struct pov_texture **list; /* what the mesh's texture indices mean until they are resolved */
+	struct pov_texture *uniform; /* not NULL: all faces have this one, and the mesh no indices */
+	bool partial; /* some faces have the object's own texture */
+	bool resolved; /* memo: the scene's mesh has the scene's texture indices */
+};
+
+struct pov_child {
+	struct pov_object *object;
+	struct pov_child *next;
+};
+
+struct pov_object { /* ITEM_OBJECT */
+	struct object object; /* shape, place and flags; relations and indices are not used */
+	struct light *light; /* not NULL: a light source, and nothing else */
+	struct pov_mesh *mesh; /* SHAPE_MESH */
+	struct pov_texture *texture, *interior_texture;
+	struct pov_interior *interior;
+	unsigned given; /* enum object_flag: those that were given, on or off */
+	struct pov_lack lack;
+	struct pov_child *first, *last; /* of a union, in the order of the file */
+	uint32_t depth; /* of unions in unions below this one */
+};
+
+struct pov_other { /* all other kinds: known by name, not yet rendered */
+	struct pov_lack lack;
+};
+
+/* What reading must remember between items; pov_state() gives it. */
+struct pov_state {
+	struct pov_texture *base; /* #default's texture, always one layer */
+	struct pov_texture first; /* what it is when reading begins */
+	struct pov_layer first_layer;
+	struct pov_camera *camera; /* the last one used */
+	struct pov_lack photons, object_photons; /* global block; first object that asks for them */
+	struct pov_lack subsurface, finish_subsurface; /* the same */
+	struct pov_lack radiosity; /* the global block */
+	bool gamma_given;
+	uint64_t objects, object_limit; /* put into the scene */
+};
+
+/* Blocks. pov_open: the current token is a block's keyword: pass it and its {. pov_close: pass the }. */
+bool pov_open(struct pov *);
+bool pov_close(struct pov *, const char *block);
+/* Pass tokens up to, not including, the } that ends the block we are in. */
+void pov_skip_rest(struct pov *);
+/* If the current token is an identifier that holds an item of this kind, pass it and return the item. */
+void *pov_take(struct pov *, enum pov_item_kind);
+bool pov_starts_colour(struct pov *);
+/* Memory in the parser's arena, cleared; reports when there is none. */
+void *pov_new(struct pov *, size_t bytes);
+void *pov_copy(struct pov *, const void *item, size_t bytes);
+
+/* Numbers that have to be finite; what: how messages call them. */
+double pov_finite_float(struct pov *, const char *what);
+vec pov_finite_vector(struct pov *, const char *what);
+struct rgbft pov_finite_colour(struct pov *, const char *what);
+double pov_positive(struct pov *, const char *what); /* > 0 */
+
+/* Readers of a block; the current token is its keyword. NULL: an error was reported. */
+struct pov_pigment *pov_read_pigment(struct pov *, const struct pov_pigment *base);
+struct pov_normal *pov_read_normal(struct pov *);
+struct pov_finish *pov_read_finish(struct pov *, const struct pov_finish *base);
+struct pov_texture *pov_read_texture(struct pov *);
+struct pov_interior *pov_read_interior(struct pov *, const struct pov_interior *base);
+/* Changes *m. */
+bool pov_read_material(struct pov *, struct pov_material *m);
+struct pov_camera *pov_read_camera(struct pov *);
+struct pov_object *pov_read_light(struct pov *);
+struct pov_object *pov_read_mesh(struct pov *); /* mesh; modifiers and } are left to the caller */
+struct pov_object *pov_read_mesh2(struct pov *); /* the same */
+struct pov_object *pov_read_triangle(struct pov *, bool smooth); /* the same */
+/* Any object; not one: NULL and nothing read, or after an error. */
+struct pov_object *pov_read_object(struct pov *);
+bool pov_starts_object(struct pov *);
+void pov_read_settings(struct pov *);
+void pov_read_background(struct pov *);
+
+/* pigment, normal or finish as the current token: *t with its topmost layer changed, or #default's. */
+bool pov_texture_part(struct pov *, struct pov_texture **t);
+/* upper laid over lower; either may be NULL. */
+struct pov_texture *pov_texture_over(struct pov *, struct pov_texture *upper, struct pov_texture *lower);
+struct pov_texture *pov_default_texture(struct pov *);
+
+struct pov_object *pov_object_new(struct pov *, enum shape_kind, const struct diag_pos *);
+/* The texture as the scene's, SCENE_NONE after an error; reports what it lacks. */
+uint32_t pov_use_texture(struct pov *, struct pov_texture *);
+/* Put an object that stands in the scene itself, not in another, into the scene. */
+void pov_use_object(struct pov *, struct pov_object *);
+
+#endif

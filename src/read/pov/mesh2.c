@@ -1,0 +1,569 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * mesh2 (manual 3.4.5.2.4): nearly all of a large scene file's bytes are the lists of such meshes.
+ *
+ * Each list is read in two ways. As long as it is plain text (numbers, signs, comments), its bytes are
+ * scanned directly. At the first element that is anything else (an identifier, an expression, a
+ * directive) or that is wrong, scanning stops before it, and that element is read as tokens, which
+ * also is where all errors are found; behind its comma, scanning begins again.
+ */
+#include <config.h>
+
+#include "read/pov/mesh.h"
+
+#include "read/limits.h"
+#include "read/pov/scan.h"
+
+#define TINY 1e-10 /* what POV-Ray takes for 0 */
+
+/* A list of a known number of elements. */
+struct list {
+	const char *name; /* the block's word */
+	struct mesh_draft *d;
+	size_t count, done, expect;
+	uint32_t below; /* indices have to be */
+	const char *of; /* what indices count */
+	bool zero_normal;
+};
+
+struct list_kind {
+	/* Scan elements while they are plain and right; returns where the next one begins. */
+	const char *(*scan)(struct pov *, struct list *, const char *at, const char *end);
+	bool (*read)(struct pov *, struct list *); /* one element, as tokens */
+};
+
+/* The shortest element: "<0,0,0>". */
+static size_t plausible(size_t count, const char *at, const char *end)
+{
+	size_t most = (size_t)(end - at) / 7 + 1;
+
+	return count < most ? count : most;
+}
+
+static bool list_ends(struct pov *p, const struct list *l)
+{
+	if (pov_failed(p))
+		return false;
+	if (pov_token(p) == TOK_RIGHT_BRACE || pov_token(p) == TOK_END)
+		return pov_close(p, l->name);
+	pov_fail(p, "%s says that it has %zu elements, but more follow", l->name, l->count);
+	return false;
+}
+
+static bool read_element(struct pov *p, struct list *l, const struct list_kind *k)
+{
+	if (pov_token(p) == TOK_END && !pov_failed(p))
+		pov_fail(p, "the file ends in %s, after %zu of %zu elements", l->name, l->done, l->count);
+	else if (pov_token(p) == TOK_RIGHT_BRACE)
+		pov_fail(p, "%s says that it has %zu elements, but only %zu follow", l->name, l->count,
+			 l->done);
+	if (pov_failed(p) || !k->read(p, l))
+		return false;
+	l->done++;
+	return !pov_failed(p);
+}
+
+/* Between the count and the }. */
+static bool read_elements(struct pov *p, struct list *l, const struct list_kind *k)
+{
+	const char *at, *end;
+
+	while (l->done < l->count) {
+		if (pov_accept(p, TOK_COMMA) && pov_raw(p, &at, &end)) {
+			if (!l->expect)
+				l->expect = plausible(l->count, at, end);
+			at = k->scan(p, l, at, end);
+			pov_raw_done(p, at);
+			if (l->done == l->count || pov_failed(p))
+				break;
+		}
+		if (!read_element(p, l, k))
+			return false;
+	}
+	pov_comma(p);
+	return list_ends(p, l);
+}
+
+static bool read_count(struct pov *p, struct list *l, uint32_t least)
+{
+	uint64_t most = read_limits_fill(&pov_options(p)->limits).elements;
+
+	if (!pov_open(p))
+		return false;
+	if (most > UINT32_MAX - 1)
+		most = UINT32_MAX - 1;
+	l->count = pov_count(p, l->name, least, most);
+	return !pov_failed(p);
+}
+
+/* Vertices. */
+
+static const char *scan_vertices(struct pov *p, struct list *l, const char *at, const char *end)
+{
+	struct mesh_array *a = &l->d->vertex;
+	const char *next;
+
+	while (l->done < l->count) {
+		if (a->count == a->room && !mesh_reserve(p, a, 1, l->expect))
+			return at;
+		next = scan_vector(at, end, (double *)a->data + 3 * a->count);
+		if (!next)
+			return at;
+		at = next;
+		a->count++;
+		l->done++;
+	}
+	return at;
+}
+
+static bool read_vertex(struct pov *p, struct list *l)
+{
+	struct mesh_array *a = &l->d->vertex;
+	vec v = pov_finite_vector(p, "a vertex");
+	double *out;
+
+	if (pov_failed(p) || !mesh_reserve(p, a, 1, l->expect))
+		return false;
+	out = (double *)a->data + 3 * a->count++;
+	out[0] = v.x;
+	out[1] = v.y;
+	out[2] = v.z;
+	return true;
+}
+
+static bool read_vertices(struct pov *p, struct mesh_draft *d)
+{
+	static const struct list_kind kind = { scan_vertices, read_vertex };
+	struct list l = { .name = "vertex_vectors", .d = d };
+
+	if (d->vertex.count) {
+		pov_fail(p, "the mesh has a second vertex_vectors");
+		return false;
+	}
+	return read_count(p, &l, 1) && read_elements(p, &l, &kind);
+}
+
+/* Normals. */
+
+static void add_normal(struct list *l, vec n)
+{
+	struct mesh_array *a = &l->d->normal;
+
+	mesh_normal((float *)a->data + 3 * a->count++, n, &l->zero_normal);
+}
+
+static const char *scan_normals(struct pov *p, struct list *l, const char *at, const char *end)
+{
+	struct mesh_array *a = &l->d->normal;
+	const char *next;
+	double n[3];
+
+	while (l->done < l->count) {
+		if (a->count == a->room && !mesh_reserve(p, a, 1, l->expect))
+			return at;
+		next = scan_vector(at, end, n);
+		if (!next)
+			return at;
+		at = next;
+		add_normal(l, vec_make(n[0], n[1], n[2]));
+		l->done++;
+	}
+	return at;
+}
+
+static bool read_normal(struct pov *p, struct list *l)
+{
+	vec n = pov_finite_vector(p, "a normal");
+
+	if (pov_failed(p) || !mesh_reserve(p, &l->d->normal, 1, l->expect))
+		return false;
+	add_normal(l, n);
+	return true;
+}
+
+static bool read_normals(struct pov *p, struct mesh_draft *d)
+{
+	static const struct list_kind kind = { scan_normals, read_normal };
+	struct list l = { .name = "normal_vectors", .d = d };
+	struct diag_pos at = pov_pos(p);
+
+	if (d->normal.count) {
+		pov_fail(p, "the mesh has a second normal_vectors");
+		return false;
+	}
+	if (!read_count(p, &l, 0) || !read_elements(p, &l, &kind))
+		return false;
+	if (l.zero_normal)
+		pov_warn(p, &at, "a normal in normal_vectors has no direction: <1,0,0> is taken, as in "
+			 "POV-Ray");
+	return true;
+}
+
+/* Texture coordinates: only checked, as no pattern uses them yet. */
+
+static const char *scan_uvs(struct pov *p, struct list *l, const char *at, const char *end)
+{
+	const char *next;
+	double uv[2];
+
+	(void)p;
+	while (l->done < l->count) {
+		next = scan_vector2(at, end, uv);
+		if (!next)
+			return at;
+		at = next;
+		l->done++;
+	}
+	return at;
+}
+
+static bool read_uv(struct pov *p, struct list *l)
+{
+	struct diag_pos at = pov_pos(p);
+	double u, v;
+
+	(void)l;
+	pov_vector2(p, &u, &v);
+	if (!pov_failed(p) && (!isfinite(u) || !isfinite(v)))
+		pov_fail_at(p, &at, "a uv vector has a component that is not a finite number");
+	return !pov_failed(p);
+}
+
+static bool read_uvs(struct pov *p, struct mesh_draft *d, size_t *count)
+{
+	static const struct list_kind kind = { scan_uvs, read_uv };
+	struct list l = { .name = "uv_vectors", .d = d };
+
+	if (!read_count(p, &l, 0) || !read_elements(p, &l, &kind))
+		return false;
+	*count = l.count;
+	return true;
+}
+
+/* Three indices. */
+
+static bool read_indices(struct pov *p, const struct list *l, uint32_t out[3])
+{
+	struct diag_pos at = pov_pos(p);
+	vec v = pov_vector(p);
+	const double i[3] = { v.x, v.y, v.z };
+
+	for (int k = 0; k < 3 && !pov_failed(p); k++) {
+		/* POV-Ray cuts off what stands behind the point, and so accepts -0.5. */
+		double whole = trunc(i[k]);
+
+		if (!(whole >= 0 && whole < l->below)) {
+			pov_fail_at(p, &at, "index %.15g in %s is out of range: there are %u %s, counted "
+				    "from 0", i[k], l->name, l->below, l->of);
+			return false;
+		}
+		out[k] = (uint32_t)whole;
+	}
+	return !pov_failed(p);
+}
+
+static bool in_range(const uint32_t i[3], uint32_t below)
+{
+	return i[0] < below && i[1] < below && i[2] < below;
+}
+
+/* Faces: three indices of vertices and none, one or three numbers of textures. */
+
+static bool face_textures(struct pov *p, struct list *l, uint32_t t[3], int count)
+{
+	if (count == 0)
+		t[0] = t[1] = t[2] = SCENE_NONE;
+	else if (count == 1)
+		t[1] = t[2] = t[0];
+	return mesh_add_texture(p, l->d, t, l->expect);
+}
+
+static const char *scan_faces(struct pov *p, struct list *l, const char *at, const char *end)
+{
+	struct mesh_array *a = &l->d->index;
+	uint32_t t[3], *out;
+	const char *next;
+	int count;
+
+	while (l->done < l->count) {
+		if (a->count == a->room && !mesh_reserve(p, a, 1, l->expect))
+			return at;
+		out = (uint32_t *)a->data + 3 * a->count;
+		next = scan_face(at, end, out, t, &count);
+		if (!next || count == 2 || !in_range(out, l->below))
+			return at;
+		for (int i = 0; i < count; i++) {
+			if (t[i] >= l->d->list_count)
+				return at;
+		}
+		at = next;
+		a->count++;
+		l->done++;
+		if (!face_textures(p, l, t, count))
+			return at;
+	}
+	return at;
+}
+
+static bool read_texture_number(struct pov *p, struct list *l, uint32_t *out)
+{
+	struct diag_pos at = pov_pos(p);
+	double x = pov_float(p), whole = trunc(x);
+
+	if (pov_failed(p))
+		return false;
+	if (!(whole >= 0 && whole < l->d->list_count)) {
+		pov_fail_at(p, &at, "texture number %.15g is out of range: the mesh's texture_list has %u "
+			    "textures, counted from 0", x, l->d->list_count);
+		return false;
+	}
+	*out = (uint32_t)whole;
+	return true;
+}
+
+/* The comma behind a face may belong to the list or stand before a texture number. */
+static bool read_face(struct pov *p, struct list *l)
+{
+	struct mesh_array *a = &l->d->index;
+	struct diag_pos at = pov_pos(p);
+	uint32_t t[3], v[3];
+	int count = 0;
+
+	if (!read_indices(p, l, v) || !mesh_reserve(p, a, 1, l->expect))
+		return false;
+	for (int i = 0; i < 3; i++)
+		((uint32_t *)a->data)[3 * a->count + (size_t)i] = v[i];
+	a->count++;
+	pov_comma(p);
+	while (count < 3 && pov_token(p) != TOK_LEFT_ANGLE && pov_starts_number(p)) {
+		if (!read_texture_number(p, l, &t[count++]))
+			return false;
+		pov_comma(p);
+	}
+	if (count == 2) {
+		pov_fail_at(p, &at, "a face has two texture numbers: give one, or one for each corner");
+		return false;
+	}
+	return face_textures(p, l, t, count);
+}
+
+static bool read_faces(struct pov *p, struct mesh_draft *d)
+{
+	static const struct list_kind kind = { scan_faces, read_face };
+	struct list l = { .name = "face_indices",
+			  .d = d,
+			  .below = (uint32_t)d->vertex.count,
+			  .of = "vertices" };
+
+	if (pov_token(p) == TOK_END && !pov_failed(p))
+		pov_fail(p, "the file ends in mesh2 { ... } before its face_indices");
+	else if (pov_token(p) != TOK_FACE_INDICES)
+		pov_expect(p, TOK_FACE_INDICES, "in mesh2");
+	return !pov_failed(p) && read_count(p, &l, 1) && read_elements(p, &l, &kind);
+}
+
+/* Indices of normals are kept, those of texture coordinates only checked. */
+
+static const char *scan_indices(struct pov *p, struct list *l, const char *at, const char *end,
+				struct mesh_array *a)
+{
+	uint32_t none[3], *out = none;
+	const char *next;
+
+	while (l->done < l->count) {
+		if (a) {
+			if (a->count == a->room && !mesh_reserve(p, a, 1, l->expect))
+				return at;
+			out = (uint32_t *)a->data + 3 * a->count;
+		}
+		next = scan_indices3(at, end, out);
+		if (!next || !in_range(out, l->below))
+			return at;
+		at = next;
+		if (a)
+			a->count++;
+		l->done++;
+	}
+	return at;
+}
+
+static const char *scan_normal_indices(struct pov *p, struct list *l, const char *at, const char *end)
+{
+	return scan_indices(p, l, at, end, &l->d->normal_index);
+}
+
+static const char *scan_uv_indices(struct pov *p, struct list *l, const char *at, const char *end)
+{
+	return scan_indices(p, l, at, end, NULL);
+}
+
+static bool read_normal_index(struct pov *p, struct list *l)
+{
+	struct mesh_array *a = &l->d->normal_index;
+	uint32_t v[3];
+
+	if (!read_indices(p, l, v) || !mesh_reserve(p, a, 1, l->expect))
+		return false;
+	for (int i = 0; i < 3; i++)
+		((uint32_t *)a->data)[3 * a->count + (size_t)i] = v[i];
+	a->count++;
+	return true;
+}
+
+static bool read_uv_index(struct pov *p, struct list *l)
+{
+	uint32_t v[3];
+
+	return read_indices(p, l, v);
+}
+
+static bool read_normal_indices(struct pov *p, struct mesh_draft *d)
+{
+	static const struct list_kind kind = { scan_normal_indices, read_normal_index };
+	struct list l = { .name = "normal_indices",
+			  .d = d,
+			  .below = (uint32_t)d->normal.count,
+			  .of = "normals" };
+	struct diag_pos at = pov_pos(p);
+
+	if (!read_count(p, &l, 0))
+		return false;
+	if (l.count > d->index.count) {
+		pov_fail_at(p, &at, "normal_indices has %zu elements, but the mesh only %zu faces", l.count,
+			    d->index.count);
+		return false;
+	}
+	d->smooth_count = (uint32_t)l.count;
+	return read_elements(p, &l, &kind);
+}
+
+static bool read_uv_indices(struct pov *p, struct mesh_draft *d, size_t uvs)
+{
+	static const struct list_kind kind = { scan_uv_indices, read_uv_index };
+	struct list l = { .name = "uv_indices",
+			  .d = d,
+			  .below = uvs ? (uint32_t)uvs : 1,
+			  .of = "uv vectors" };
+	struct diag_pos at = pov_pos(p);
+
+	if (!read_count(p, &l, 0))
+		return false;
+	if (l.count != d->index.count) {
+		pov_fail_at(p, &at, "uv_indices has %zu elements, but the mesh %zu faces: they have to be "
+			    "the same", l.count, d->index.count);
+		return false;
+	}
+	return read_elements(p, &l, &kind);
+}
+
+static bool read_texture_list(struct pov *p, struct mesh_draft *d)
+{
+	struct list l = { .name = "texture_list", .d = d };
+	struct mesh_array a = { .size = sizeof(struct pov_texture *) };
+	bool ok;
+
+	if (!read_count(p, &l, 0))
+		return false;
+	pov_comma(p);
+	for (; l.done < l.count && !pov_failed(p); l.done++) {
+		struct pov_texture *t = pov_take(p, ITEM_TEXTURE);
+
+		if (!t && pov_token(p) == TOK_TEXTURE)
+			t = pov_read_texture(p);
+		if (!t && !pov_failed(p))
+			pov_fail(p, "texture_list says that it has %zu textures, but only %zu follow",
+				 l.count, l.done);
+		if (pov_failed(p) || !mesh_reserve(p, &a, 1, 0))
+			break;
+		((struct pov_texture **)a.data)[a.count++] = t;
+		pov_comma(p);
+	}
+	ok = list_ends(p, &l);
+	if (ok && a.count) {
+		d->list = pov_copy(p, a.data, a.count * a.size);
+		d->list_count = (uint32_t)a.count;
+		ok = d->list;
+	}
+	mem_free(a.data);
+	return ok;
+}
+
+/* What stands before face_indices, in any order. */
+static bool read_vectors(struct pov *p, struct mesh_draft *d, size_t *uvs)
+{
+	while (!pov_failed(p)) {
+		switch (pov_token(p)) {
+		case TOK_VERTEX_VECTORS:
+			if (!read_vertices(p, d))
+				return false;
+			break;
+		case TOK_NORMAL_VECTORS:
+			if (!read_normals(p, d))
+				return false;
+			break;
+		case TOK_UV_VECTORS:
+			if (!read_uvs(p, d, uvs))
+				return false;
+			break;
+		case TOK_TEXTURE_LIST:
+			if (!read_texture_list(p, d))
+				return false;
+			break;
+		default:
+			if (!d->vertex.count)
+				pov_fail(p, "vertex_vectors has to come before %s in mesh2",
+					 pov_text(p));
+			return !pov_failed(p);
+		}
+	}
+	return false;
+}
+
+/* What stands behind face_indices. */
+static bool read_indices_blocks(struct pov *p, struct mesh_draft *d, size_t uvs)
+{
+	bool normals = false, uv = false;
+
+	while (!pov_failed(p)) {
+		if (pov_token(p) == TOK_NORMAL_INDICES && !normals) {
+			normals = true;
+			if (!read_normal_indices(p, d))
+				return false;
+		} else if (pov_token(p) == TOK_UV_INDICES && !uv) {
+			uv = true;
+			if (!read_uv_indices(p, d, uvs))
+				return false;
+		} else if (pov_accept(p, TOK_INSIDE_VECTOR)) {
+			d->inside = pov_finite_vector(p, "inside_vector");
+			d->has_inside = vec_length(d->inside) >= TINY;
+		} else {
+			break;
+		}
+	}
+	if (pov_failed(p))
+		return false;
+	if (!normals && d->normal.count == d->vertex.count)
+		d->smooth_count = (uint32_t)d->index.count; /* they share face_indices */
+	else if (!normals && d->normal.count)
+		pov_fail(p, "normal_indices is missing: the mesh has %zu normals for %zu vertices",
+			 d->normal.count, d->vertex.count);
+	if (!uv && uvs > 1 && uvs != d->vertex.count)
+		pov_fail(p, "uv_indices is missing: the mesh has %zu uv vectors for %zu vertices", uvs,
+			 d->vertex.count);
+	return !pov_failed(p);
+}
+
+struct pov_object *pov_read_mesh2(struct pov *p)
+{
+	struct pov_object *o = NULL;
+	struct mesh_draft d;
+	size_t uvs = 0;
+
+	mesh_draft_init(&d);
+	d.pos = pov_pos(p);
+	if (read_vectors(p, &d, &uvs) && read_faces(p, &d) && read_indices_blocks(p, &d, uvs))
+		o = mesh_finish(p, &d);
+	mesh_draft_release(&d);
+	return o;
+}

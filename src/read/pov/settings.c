@@ -1,0 +1,146 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * global_settings (manual 3.4.1) and background (3.4.3.2).
+ */
+#include <config.h>
+
+#include "read/pov/items.h"
+
+static void read_gamma(struct pov *p)
+{
+	struct diag_pos at;
+	double g;
+
+	pov_next(p);
+	if (pov_token(p) == TOK_SRGB) {
+		pov_fail(p, "assumed_gamma srgb is not rendered; 1.0 is what POV-Ray advises");
+		return;
+	}
+	at = pov_pos(p);
+	g = pov_positive(p, "assumed_gamma");
+	if (pov_failed(p))
+		return;
+	if (pov_state(p)->gamma_given && g != pov_scene(p)->assumed_gamma)
+		pov_warn(p, &at, "assumed_gamma changes from %g to %g: colours read before are not "
+			 "converted", pov_scene(p)->assumed_gamma, g);
+	pov_scene(p)->assumed_gamma = g;
+	pov_state(p)->gamma_given = true;
+}
+
+static void read_trace_level(struct pov *p)
+{
+	struct diag_pos at;
+	double x;
+
+	pov_next(p);
+	at = pov_pos(p);
+	x = pov_finite_float(p, "max_trace_level");
+	if (pov_failed(p))
+		return;
+	/* POV-Ray's own limits, and its own way of keeping them. */
+	if (x < 1 || x > 256) {
+		pov_warn(p, &at, "max_trace_level is %g, but has to be from 1 to 256: the nearest is taken",
+			 x);
+		x = x < 1 ? 1 : 256;
+	}
+	pov_scene(p)->max_trace_level = (uint32_t)x;
+}
+
+/* What only a picture with photons or subsurface light needs; decided when all has been read. */
+static void read_photons(struct pov *p)
+{
+	pov_lack_note(p, &pov_state(p)->photons, "photons",
+		      "remove photons { } from global_settings");
+	pov_next(p);
+	pov_skip_block(p);
+}
+
+static void read_subsurface(struct pov *p)
+{
+	pov_lack_note(p, &pov_state(p)->subsurface, "subsurface light transport", NULL);
+	pov_next(p);
+	pov_skip_block(p);
+}
+
+static void read_radiosity(struct pov *p)
+{
+	pov_lack_note(p, &pov_state(p)->radiosity, "radiosity", NULL);
+	pov_scene(p)->radiosity = true;
+	pov_next(p);
+	pov_skip_block(p);
+}
+
+static bool read_word(struct pov *p)
+{
+	struct scene *s = pov_scene(p);
+
+	switch (pov_token(p)) {
+	case TOK_ASSUMED_GAMMA:
+		read_gamma(p);
+		return true;
+	case TOK_MAX_TRACE_LEVEL:
+		read_trace_level(p);
+		return true;
+	case TOK_ADC_BAILOUT:
+		pov_next(p);
+		s->adc_bailout = pov_finite_float(p, "adc_bailout");
+		return true;
+	case TOK_AMBIENT_LIGHT:
+		pov_next(p);
+		s->ambient_light = rgbft_rgb(pov_finite_colour(p, "ambient_light"));
+		return true;
+	case TOK_PHOTONS:
+		read_photons(p);
+		return true;
+	case TOK_SUBSURFACE:
+		read_subsurface(p);
+		return true;
+	case TOK_RADIOSITY:
+		read_radiosity(p);
+		return true;
+	/* For what is not rendered anyway: patterns, irid, height fields, text, subsurface. */
+	case TOK_NUMBER_OF_WAVES:
+	case TOK_NOISE_GENERATOR:
+	case TOK_MAX_INTERSECTIONS:
+	case TOK_MM_PER_UNIT:
+		pov_next(p);
+		pov_float(p);
+		return true;
+	case TOK_HF_GRAY_16:
+		pov_next(p);
+		pov_bool(p, true);
+		return true;
+	case TOK_IRID_WAVELENGTH:
+		pov_next(p);
+		pov_finite_colour(p, "irid_wavelength");
+		return true;
+	case TOK_CHARSET:
+		pov_next(p);
+		pov_next(p);
+		return true;
+	default:
+		return false;
+	}
+}
+
+void pov_read_settings(struct pov *p)
+{
+	if (!pov_open(p))
+		return;
+	while (!pov_failed(p) && read_word(p))
+		;
+	pov_close(p, "global_settings");
+}
+
+void pov_read_background(struct pov *p)
+{
+	struct rgbft c = { 0 };
+
+	if (!pov_open(p))
+		return;
+	while (!pov_failed(p) && pov_starts_colour(p))
+		c = pov_finite_colour(p, "the background's colour");
+	if (pov_close(p, "background"))
+		pov_scene(p)->background = c;
+}

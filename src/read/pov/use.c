@@ -1,0 +1,241 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Putting objects into the scene: what a union hands down, #default's texture for what has none, and
+ * the report of what is used and cannot be rendered.
+ *
+ * POV-Ray decides these things where an object stands in the scene itself, not where it was declared;
+ * so a #default between the two counts.
+ */
+#include <config.h>
+
+#include "read/pov/items.h"
+
+#define HANDED_DOWN ((unsigned)(OBJECT_HOLLOW | OBJECT_DOUBLE_ILLUMINATE))
+
+/* What an object gets from the unions around it. */
+struct context {
+	struct pov_texture *texture, *interior_texture;
+	struct pov_interior *interior;
+	unsigned flags; /* all of the unions', to be added */
+	unsigned hollow, hollow_given;
+	unsigned double_illuminate, double_given;
+	struct mat place; /* to the scene, for lights */
+};
+
+static bool use_object(struct pov *, struct pov_object *, const struct context *, uint32_t *index);
+
+static bool count_object(struct pov *p, const struct diag_pos *at)
+{
+	uint64_t limit = pov_state(p)->object_limit;
+
+	if (++pov_state(p)->objects <= limit)
+		return true;
+	pov_fail_at(p, at, "too many objects: the limit is %llu (raise it with --limit objects=N)",
+		    (unsigned long long)limit);
+	return false;
+}
+
+static bool use_light(struct pov *p, const struct pov_object *o, const struct mat *place)
+{
+	uint32_t i = scene_add_light(pov_scene(p));
+	struct light *l;
+	vec at, to;
+
+	if (i == SCENE_NONE)
+		return pov_no_memory(p);
+	l = &pov_scene(p)->light[i];
+	*l = *o->light;
+	if (mat_is_identity(place))
+		return true;
+	at = mat_point(place, l->location);
+	to = mat_dir(place, vec_scale(l->direction, l->axis_length));
+	l->location = at;
+	l->axis_length = vec_length(to);
+	l->direction = vec_unit(to);
+	l->axis1 = mat_dir(place, l->axis1);
+	l->axis2 = mat_dir(place, l->axis2);
+	if (!vec_finite(at) || !vec_finite(to) || !vec_finite(l->axis1) || !vec_finite(l->axis2)) {
+		pov_fail_at(p, &o->object.pos, "the light's transforms make its vectors too large");
+		return false;
+	}
+	return true;
+}
+
+static uint32_t use_interior(struct pov *p, struct pov_interior *in, bool hollow)
+{
+	struct scene *s = pov_scene(p);
+
+	if (!in || pov_failed(p))
+		return SCENE_NONE;
+	/* As in POV-Ray, media fill hollow objects only. */
+	if (!pov_lack_use(p, &in->lack) || (hollow && !pov_lack_use(p, &in->media)))
+		return SCENE_NONE;
+	if (in->index != SCENE_NONE)
+		return in->index;
+	in->index = scene_add_interior(s);
+	if (in->index == SCENE_NONE) {
+		pov_no_memory(p);
+		return SCENE_NONE;
+	}
+	s->interior[in->index] = in->interior;
+	if (fabs(in->interior.fade_distance) < 1e-10)
+		s->interior[in->index].fade_power = 0;
+	return in->index;
+}
+
+/* The mesh's indices into its texture_list become the scene's, once. */
+static bool use_mesh_textures(struct pov *p, struct pov_mesh *m)
+{
+	struct mesh *mesh = &pov_scene(p)->mesh[m->index];
+	size_t n = (size_t)mesh->triangle_count * mesh->textures_per_face;
+	uint32_t *map;
+
+	if (m->resolved || !mesh->texture)
+		return true;
+	map = pov_new(p, (m->list_count + 1) * sizeof(*map));
+	if (!map)
+		return false;
+	for (uint32_t i = 0; i < m->list_count; i++)
+		map[i] = SCENE_NONE;
+	for (size_t i = 0; i < n && !pov_failed(p); i++) {
+		uint32_t t = mesh->texture[i];
+
+		if (t == SCENE_NONE)
+			continue;
+		if (map[t] == SCENE_NONE)
+			map[t] = pov_use_texture(p, m->list[t]);
+		mesh->texture[i] = map[t];
+	}
+	m->resolved = true;
+	return !pov_failed(p);
+}
+
+/* Flags, textures and interior of a shape that is no union. */
+static bool use_look(struct pov *p, struct pov_object *o, const struct context *c, struct object *out)
+{
+	struct pov_texture *t = c->texture;
+
+	if (o->mesh && o->mesh->uniform)
+		t = o->mesh->uniform;
+	if (o->mesh && !use_mesh_textures(p, o->mesh))
+		return false;
+	/* A mesh whose faces all have textures of their own needs none. */
+	if (!o->mesh || o->mesh->uniform || o->mesh->partial)
+		out->texture = pov_use_texture(p, t ? t : pov_default_texture(p));
+	if (c->interior_texture)
+		out->interior_texture = pov_use_texture(p, c->interior_texture);
+	out->flags |= c->flags | c->hollow | c->double_illuminate;
+	out->interior = use_interior(p, c->interior, c->hollow);
+	return !pov_failed(p);
+}
+
+/* c: of what surrounds o; inner: of what o surrounds, and of o itself. */
+static void enter(struct pov_object *o, const struct context *c, struct context *inner)
+{
+	unsigned own = o->object.flags;
+
+	*inner = *c;
+	if (o->texture)
+		inner->texture = o->texture;
+	if (o->interior_texture)
+		inner->interior_texture = o->interior_texture;
+	if (o->interior)
+		inner->interior = o->interior;
+	inner->flags |= own & ~HANDED_DOWN & ~(unsigned)OBJECT_INVERSE;
+	/* hollow: the innermost that says so; double_illuminate: the outermost, as POV-Ray sets it in
+	 * the whole tree when it reads the word. */
+	if (o->given & OBJECT_HOLLOW)
+		inner->hollow = own & OBJECT_HOLLOW;
+	if (!c->double_given && o->given & OBJECT_DOUBLE_ILLUMINATE) {
+		inner->double_given = OBJECT_DOUBLE_ILLUMINATE;
+		inner->double_illuminate = own & OBJECT_DOUBLE_ILLUMINATE;
+	}
+	inner->place = mat_mul(&o->object.place.fwd, &c->place);
+}
+
+static bool use_children(struct pov *p, struct pov_object *o, const struct context *inner,
+			 uint32_t parent)
+{
+	uint32_t last = SCENE_NONE;
+
+	for (struct pov_child *child = o->first; child; child = child->next) {
+		struct object *object;
+		uint32_t i;
+
+		if (!use_object(p, child->object, inner, &i))
+			return false;
+		if (i == SCENE_NONE)
+			continue; /* a light, or left out */
+		object = pov_scene(p)->object;
+		if (last == SCENE_NONE)
+			object[parent].first_child = i;
+		else
+			object[last].next_sibling = i;
+		last = i;
+	}
+	return true;
+}
+
+static bool check_place(struct pov *p, const struct pov_object *o)
+{
+	const struct mat *m[] = { &o->object.place.fwd, &o->object.place.inv };
+
+	for (int k = 0; k < 2; k++) {
+		for (int i = 0; i < 4; i++) {
+			if (isfinite(m[k]->m[i][0]) && isfinite(m[k]->m[i][1]) &&
+			    isfinite(m[k]->m[i][2]))
+				continue;
+			pov_fail_at(p, &o->object.pos, "the object's transforms have no finite inverse");
+			return false;
+		}
+	}
+	return true;
+}
+
+/* *index: SCENE_NONE if it is a light or, with --lenient, something left out. */
+static bool use_object(struct pov *p, struct pov_object *o, const struct context *c, uint32_t *index)
+{
+	struct context inner;
+	struct object *out;
+
+	*index = SCENE_NONE;
+	if (!count_object(p, &o->object.pos) || !check_place(p, o))
+		return false;
+	if (o->lack.construct) {
+		if (!pov_lack_use(p, &o->lack))
+			return false;
+		if (!o->first && !o->light && o->object.kind == SHAPE_UNION)
+			return true;
+	}
+	enter(o, c, &inner);
+	if (o->light)
+		return use_light(p, o, &inner.place);
+	if (o->mesh && !pov_scene(p)->mesh[o->mesh->index].triangle_count)
+		return true; /* all its triangles were without area */
+	*index = scene_add_object(pov_scene(p));
+	if (*index == SCENE_NONE)
+		return pov_no_memory(p);
+	out = &pov_scene(p)->object[*index];
+	out->kind = o->object.kind;
+	out->place = o->object.place;
+	out->shape = o->object.shape;
+	out->pos = o->object.pos;
+	if (o->mesh)
+		out->shape.mesh = o->mesh->index;
+	if (out->kind == SHAPE_UNION)
+		return use_children(p, o, &inner, *index);
+	out->flags = o->object.flags & OBJECT_INVERSE;
+	return use_look(p, o, &inner, out);
+}
+
+void pov_use_object(struct pov *p, struct pov_object *o)
+{
+	struct context c = { .place = mat_identity };
+	uint32_t index;
+
+	if (!o || pov_failed(p))
+		return;
+	if (use_object(p, o, &c, &index) && index != SCENE_NONE)
+		scene_add_root(pov_scene(p), index);
+}

@@ -1,1 +1,3 @@
-src_libalidade_la_SOURCES += src/scene/scene.c src/scene/scene.h
+src_libalidade_la_SOURCES += \
+	src/scene/dump.c src/scene/dump.h \
+	src/scene/scene.c src/scene/scene.h

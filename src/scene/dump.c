@@ -1,0 +1,296 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#include <config.h>
+
+#include "scene/dump.h"
+
+#include <stdlib.h>
+
+/* The shortest of the usual precisions that reads back as the same number. */
+static void put(FILE *to, double x)
+{
+	char text[40];
+
+	for (int digits = 6; digits <= 17; digits++) {
+		snprintf(text, sizeof(text), "%.*g", digits, x);
+		if (strtod(text, NULL) == x)
+			break;
+	}
+	fprintf(to, " %s", text);
+}
+
+static void put_word(FILE *to, const char *word, double x)
+{
+	fprintf(to, " %s", word);
+	put(to, x);
+}
+
+static void put_vec(FILE *to, const char *word, vec v)
+{
+	fprintf(to, " %s <", word);
+	put(to, v.x);
+	put(to, v.y);
+	put(to, v.z);
+	fputs(" >", to);
+}
+
+static void put_rgb(FILE *to, const char *word, struct rgb c)
+{
+	put_vec(to, word, vec_make(c.r, c.g, c.b));
+}
+
+static void put_rgbft(FILE *to, const char *word, struct rgbft c)
+{
+	put_rgb(to, word, rgbft_rgb(c));
+	put_word(to, "filter", c.filter);
+	put_word(to, "transmit", c.transmit);
+}
+
+static void put_index(FILE *to, const char *word, uint32_t i)
+{
+	if (i != SCENE_NONE)
+		fprintf(to, " %s %u", word, i);
+}
+
+static void end_line(FILE *to, unsigned what, const struct diag_pos *pos)
+{
+	if (what & SCENE_DUMP_PLACES && pos && pos->file)
+		fprintf(to, " at %s:%u:%u", pos->file, pos->line, pos->col);
+	putc('\n', to);
+}
+
+static void dump_camera(const struct scene *s, unsigned what, FILE *to)
+{
+	const struct camera *c = &s->camera;
+
+	if (!s->has_camera)
+		return;
+	fprintf(to, "camera %s", c->kind == CAMERA_ORTHOGRAPHIC ? "orthographic" : "perspective");
+	put_vec(to, "location", c->location);
+	put_vec(to, "direction", c->direction);
+	put_vec(to, "right", c->right);
+	put_vec(to, "up", c->up);
+	end_line(to, what, &c->pos);
+}
+
+static void dump_light(const struct light *l, uint32_t i, unsigned what, FILE *to)
+{
+	static const char *const kind[] = { "point", "spot", "cylinder" };
+
+	fprintf(to, "light %u %s", i, kind[l->kind]);
+	put_vec(to, "location", l->location);
+	put_rgb(to, "colour", l->colour);
+	if (l->parallel)
+		fputs(" parallel", to);
+	if (l->shadowless)
+		fputs(" shadowless", to);
+	if (l->kind != LIGHT_POINT || l->parallel)
+		put_vec(to, "direction", l->direction);
+	if (l->kind != LIGHT_POINT) {
+		put_word(to, "axis_length", l->axis_length);
+		put_word(to, "radius", l->radius);
+		put_word(to, "falloff", l->falloff);
+		put_word(to, "tightness", l->tightness);
+	}
+	if (l->area) {
+		put_vec(to, "area", l->axis1);
+		put_vec(to, "by", l->axis2);
+		fprintf(to, " points %u %u", l->size1, l->size2);
+		put_index(to, "adaptive", l->adaptive);
+		fprintf(to, "%s%s%s%s", l->area_illumination ? " area_illumination" : "",
+			l->jitter ? " jitter" : "", l->circular ? " circular" : "",
+			l->orient ? " orient" : "");
+	}
+	if (l->fade_distance != 0 || l->fade_power != 0) {
+		put_word(to, "fade_distance", l->fade_distance);
+		put_word(to, "fade_power", l->fade_power);
+	}
+	end_line(to, what, &l->pos);
+}
+
+static void dump_finish(const struct finish *f, FILE *to)
+{
+	put_rgb(to, "ambient", f->ambient);
+	put_rgb(to, "emission", f->emission);
+	put_word(to, "diffuse", f->diffuse);
+	put_word(to, "diffuse_back", f->diffuse_back);
+	put_word(to, "brilliance", f->brilliance);
+	put_word(to, "phong", f->phong);
+	put_word(to, "phong_size", f->phong_size);
+	put_word(to, "specular", f->specular);
+	put_word(to, "roughness", f->roughness);
+	put_word(to, "metallic", f->metallic);
+	put_rgb(to, "reflection", f->reflection_min);
+	put_rgb(to, "to", f->reflection_max);
+	put_word(to, "falloff", f->reflection_falloff);
+	put_word(to, "exponent", f->reflection_exponent);
+	put_word(to, "reflection_metallic", f->reflection_metallic);
+	fprintf(to, "%s%s\n", f->reflection_fresnel ? " fresnel" : "",
+		f->conserve_energy ? " conserve_energy" : "");
+}
+
+static void dump_texture(const struct texture *t, uint32_t i, FILE *to)
+{
+	fprintf(to, "texture %u layers %u\n", i, t->count);
+	for (uint32_t k = 0; k < t->count; k++) {
+		fputs("  pigment", to);
+		put_rgbft(to, "colour", t->layer[k].pigment.colour);
+		fputs("\n  finish", to);
+		dump_finish(&t->layer[k].finish, to);
+	}
+}
+
+static void dump_interior(const struct interior *in, uint32_t i, FILE *to)
+{
+	fprintf(to, "interior %u", i);
+	put_word(to, "ior", in->ior);
+	put_word(to, "caustics", in->caustics);
+	put_word(to, "fade_distance", in->fade_distance);
+	put_word(to, "fade_power", in->fade_power);
+	put_rgb(to, "fade_colour", in->fade_colour);
+	putc('\n', to);
+}
+
+static void dump_indices(const char *word, const uint32_t *v, size_t count, unsigned per, FILE *to)
+{
+	for (size_t i = 0; i < count; i++) {
+		fprintf(to, "  %s %zu", word, i);
+		for (unsigned k = 0; k < per; k++) {
+			if (v[i * per + k] == SCENE_NONE)
+				fputs(" none", to);
+			else
+				fprintf(to, " %u", v[i * per + k]);
+		}
+		putc('\n', to);
+	}
+}
+
+static void dump_arrays(const struct mesh *m, FILE *to)
+{
+	for (size_t i = 0; i < m->vertex_count; i++) {
+		fprintf(to, "  vertex %zu", i);
+		for (int k = 0; k < 3; k++)
+			put(to, m->vertex[3 * i + (size_t)k]);
+		putc('\n', to);
+	}
+	for (size_t i = 0; i < m->normal_count; i++) {
+		fprintf(to, "  normal %zu", i);
+		for (int k = 0; k < 3; k++)
+			fprintf(to, " %.6g", (double)m->normal[3 * i + (size_t)k]);
+		putc('\n', to);
+	}
+	dump_indices("triangle", m->index, m->triangle_count, 3, to);
+	if (m->normal_index)
+		dump_indices("normal_index", m->normal_index, m->smooth_count, 3, to);
+	if (m->texture)
+		dump_indices("texture", m->texture, m->triangle_count, m->textures_per_face, to);
+}
+
+static void dump_mesh(const struct mesh *m, uint32_t i, unsigned what, FILE *to)
+{
+	fprintf(to, "mesh %u vertices %u triangles %u smooth %u normals %u textures_per_face %u", i,
+		m->vertex_count, m->triangle_count, m->smooth_count, m->normal_count,
+		m->textures_per_face);
+	if (m->has_inside)
+		put_vec(to, "inside", m->inside);
+	end_line(to, what, &m->pos);
+	if (what & SCENE_DUMP_ARRAYS)
+		dump_arrays(m, to);
+}
+
+static void dump_shape(const struct object *o, FILE *to)
+{
+	switch (o->kind) {
+	case SHAPE_MESH:
+		fprintf(to, " mesh %u", o->shape.mesh);
+		break;
+	case SHAPE_SPHERE:
+		put_vec(to, "sphere", o->shape.sphere.centre);
+		put_word(to, "radius", o->shape.sphere.radius);
+		break;
+	case SHAPE_BOX:
+		put_vec(to, "box", o->shape.box.lo);
+		put_vec(to, "to", o->shape.box.hi);
+		break;
+	case SHAPE_CONE:
+		put_vec(to, "cone", o->shape.cone.base);
+		put_word(to, "radius", o->shape.cone.base_radius);
+		put_vec(to, "to", o->shape.cone.apex);
+		put_word(to, "radius", o->shape.cone.apex_radius);
+		fputs(o->shape.cone.open ? " open" : "", to);
+		break;
+	case SHAPE_PLANE:
+		put_vec(to, "plane", o->shape.plane.normal);
+		put_word(to, "distance", o->shape.plane.distance);
+		break;
+	case SHAPE_DISC:
+		put_vec(to, "disc", o->shape.disc.centre);
+		put_vec(to, "normal", o->shape.disc.normal);
+		put_word(to, "radius", o->shape.disc.radius);
+		put_word(to, "hole", o->shape.disc.hole);
+		break;
+	case SHAPE_TORUS:
+		put_word(to, "torus", o->shape.torus.major);
+		put_word(to, "minor", o->shape.torus.minor);
+		break;
+	default:
+		fputs(" union", to);
+	}
+}
+
+static void dump_flags(unsigned flags, FILE *to)
+{
+	static const char *const word[] = { "no_shadow", "no_image", "no_reflection", "hollow",
+					    "double_illuminate", "inverse" };
+
+	for (unsigned i = 0; i < sizeof(word) / sizeof(word[0]); i++) {
+		if (flags & 1u << i)
+			fprintf(to, " %s", word[i]);
+	}
+}
+
+static void dump_object(const struct object *o, uint32_t i, unsigned what, FILE *to)
+{
+	fprintf(to, "object %u", i);
+	dump_shape(o, to);
+	put_index(to, "texture", o->texture);
+	put_index(to, "interior_texture", o->interior_texture);
+	put_index(to, "interior", o->interior);
+	put_index(to, "first_child", o->first_child);
+	put_index(to, "next", o->next_sibling);
+	dump_flags(o->flags, to);
+	if (!mat_is_identity(&o->place.fwd)) {
+		fputs(" place <", to);
+		for (int r = 0; r < 4; r++) {
+			for (int c = 0; c < 3; c++)
+				put(to, o->place.fwd.m[r][c]);
+		}
+		fputs(" >", to);
+	}
+	end_line(to, what, &o->pos);
+}
+
+void scene_dump(const struct scene *s, unsigned what, FILE *to)
+{
+	fprintf(to, "scene version %d", s->version);
+	put_word(to, "assumed_gamma", s->assumed_gamma);
+	fprintf(to, " max_trace_level %u", s->max_trace_level);
+	put_word(to, "adc_bailout", s->adc_bailout);
+	put_rgb(to, "ambient_light", s->ambient_light);
+	put_rgbft(to, "background", s->background);
+	fprintf(to, "%s\n", s->radiosity ? " radiosity" : "");
+	dump_camera(s, what, to);
+	for (uint32_t i = 0; i < s->light_count; i++)
+		dump_light(&s->light[i], i, what, to);
+	for (uint32_t i = 0; i < s->texture_count; i++)
+		dump_texture(&s->texture[i], i, to);
+	for (uint32_t i = 0; i < s->interior_count; i++)
+		dump_interior(&s->interior[i], i, to);
+	for (uint32_t i = 0; i < s->mesh_count; i++)
+		dump_mesh(&s->mesh[i], i, what, to);
+	if (s->first_root != SCENE_NONE)
+		fprintf(to, "roots from %u\n", s->first_root);
+	for (uint32_t i = 0; i < s->object_count; i++)
+		dump_object(&s->object[i], i, what, to);
+}

@@ -3,20 +3,31 @@ src_libalidade_la_SOURCES += \
 	src/read/limits.c src/read/limits.h \
 	src/read/read.c src/read/read.h \
 	src/read/pov/ask.c \
+	src/read/pov/camera.c \
 	src/read/pov/cond.c \
 	src/read/pov/direct.c \
 	src/read/pov/expr.c \
+	src/read/pov/finish.c \
 	src/read/pov/func.c \
 	src/read/pov/internal.h \
-	src/read/pov/items.c \
+	src/read/pov/interior.c \
+	src/read/pov/items.c src/read/pov/items.h \
 	src/read/pov/keywords.c src/read/pov/keywords.def src/read/pov/keywords.h \
 	src/read/pov/lex.c \
+	src/read/pov/light.c \
 	src/read/pov/macro.c \
+	src/read/pov/mesh.c src/read/pov/mesh.h \
+	src/read/pov/mesh2.c \
 	src/read/pov/name.c \
 	src/read/pov/number.c src/read/pov/number.h \
+	src/read/pov/object.c \
 	src/read/pov/parser.h \
 	src/read/pov/pov.c \
+	src/read/pov/scan.c src/read/pov/scan.h \
+	src/read/pov/settings.c \
 	src/read/pov/source.c \
 	src/read/pov/string.c \
+	src/read/pov/texture.c \
 	src/read/pov/token.c \
+	src/read/pov/use.c \
 	src/read/pov/value.c

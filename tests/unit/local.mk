@@ -64,3 +64,11 @@ tests_unit_test_render_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_render_LDADD = $(UNIT_LIBS)
 TESTS += tests/unit/test_render
 endif
+
+if HAVE_CMOCKA
+check_PROGRAMS += tests/unit/test_pov_scan
+tests_unit_test_pov_scan_SOURCES = tests/unit/test_pov_scan.c
+tests_unit_test_pov_scan_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_pov_scan_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_pov_scan
+endif

@@ -176,6 +176,7 @@ struct pov {
 	struct buf warned; /* of struct warned */
 	struct buf debug; /* of char: a line of #debug that is not yet complete */
 	int version;
+	struct pov_state *items; /* what items.c remembers */
 };
 
 /* pov.c */

@@ -267,6 +267,11 @@ const struct read_options *pov_options(const struct pov *p)
 	return p->options;
 }
 
+struct pov_state *pov_state(struct pov *p)
+{
+	return p->items;
+}
+
 int pov_version(const struct pov *p)
 {
 	return p->version;
@@ -289,13 +294,16 @@ static bool start(struct pov *p, const char *path, const char *bytes, size_t siz
 	if (slash)
 		folder[strrchr(path, '/') - path + 1] = 0;
 	p->scene_folder = folder;
-	return names_init(p) && source_push_text(p, path, folder, bytes, size) && predeclare(p);
+	p->items = pov_items_begin(p);
+	return p->items && names_init(p) && source_push_text(p, path, folder, bytes, size) && predeclare(p);
 }
 
 static void finish(struct pov *p)
 {
 	pov_debug_flush(p);
 	p->scene->version = p->version;
+	if (p->items)
+		pov_items_end(p);
 	arrays_release(p);
 	sources_release(p);
 	mem_free(p->hash);

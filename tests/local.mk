@@ -8,3 +8,4 @@ SHELL_TESTS = tests/headers.sh tests/layers.sh tests/lint.sh tests/cli/table.sh
 TESTS += $(SHELL_TESTS)
 EXTRA_DIST += $(SHELL_TESTS) tests/tap.sh tests/cli
 include tests/plugins/local.mk
+include tests/numerics/local.mk

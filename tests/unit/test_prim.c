@@ -114,9 +114,9 @@ static void boxes_hold_and_fit(void **state)
 /* What the point o + t d misses the canonical surface by, as a share of its size; in long double. */
 static double miss(const struct object *o, const ald_ray *r, double t)
 {
-	long double x = (long double)r->org.x + (long double)t * r->dir.x;
-	long double y = (long double)r->org.y + (long double)t * r->dir.y;
-	long double z = (long double)r->org.z + (long double)t * r->dir.z;
+	long double x = (long double)r->org.x + (long double)t * (long double)r->dir.x;
+	long double y = (long double)r->org.y + (long double)t * (long double)r->dir.y;
+	long double z = (long double)r->org.z + (long double)t * (long double)r->dir.z;
 	long double rho;
 
 	switch (o->kind) {

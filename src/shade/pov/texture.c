@@ -53,7 +53,7 @@ static void add_mirror(const struct shader *sh, struct tree *t, struct part *p, 
 		return;
 	*BUF_AT(&t->mirror, struct mirror, i) =
 		(struct mirror){ .reflectivity = *reflectivity,
-				 .exponent = f->reflection_exponent,
+				 .exponent = 1 / f->reflection_exponent,
 				 .weight = weight * finish_mirror_weight(f, *reflectivity),
 				 .normal = m->ns,
 				 .child = TREE_NONE };

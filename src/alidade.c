@@ -26,6 +26,7 @@
 #include "look/stats.h"
 #include "read/read.h"
 #include "render/render.h"
+#include "scene/dump.h"
 #include "scene/scene.h"
 #include "settings.h"
 
@@ -235,6 +236,18 @@ static enum status run_picture(struct run *run)
 	return written ? written : st;
 }
 
+static enum status run_dry(struct run *run)
+{
+	enum status st = run_build(run);
+
+	if (st)
+		return st;
+	require_text(&run->scene, run->geometry, run->accel_text, &run->book, stdout);
+	if (run->settings.verbosity > 0)
+		scene_dump(&run->scene, SCENE_DUMP_PLACES, stdout);
+	return STATUS_OK;
+}
+
 static enum status run_start(struct run *run)
 {
 	struct settings *s = &run->settings;
@@ -263,10 +276,8 @@ static enum status run_all(struct run *run)
 
 	if (!st)
 		st = run_read(run);
-	if (!st && s->dry_run) {
-		require_text(&run->scene, stdout);
-		return STATUS_OK;
-	}
+	if (!st && s->dry_run)
+		return run_dry(run);
 	if (!st && !(s->given & GIVEN_OUTPUT))
 		st = image_can_write(s->output, s->bits, &run->diag);
 	if (st)

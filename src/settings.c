@@ -67,7 +67,8 @@ static const struct option_spec alidade_option[] = {
 	  "string_bytes, tokens, elements, objects, memory, seconds",
 	  NULL },
 	{ "dry-run", KEY_DRY_RUN, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
-	  "read the scene, say what it requires, and render nothing", NULL },
+	  "read the scene and build its structure, say what they require, and render nothing; with -v "
+	  "the whole scene is listed too", NULL },
 
 	{ "stats", KEY_STATS, OPTION_MAYBE_ARG, "FILE", COMPLETE_FILE, NULL,
 	  "count rays, tests and hits and report them on standard error, or as JSON in FILE", "Reports" },

@@ -4,7 +4,8 @@ UNIT_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
 include tests/unit/local.mk
 
 # Tests in shell: tests/tap.sh tells how they are written.
-SHELL_TESTS = tests/headers.sh tests/layers.sh tests/lint.sh tests/cli/table.sh
+SHELL_TESTS = tests/headers.sh tests/layers.sh tests/lint.sh tests/cli/table.sh \
+	tests/cli/errors.sh tests/cli/examples.sh tests/cli/output.sh
 TESTS += $(SHELL_TESTS)
 EXTRA_DIST += $(SHELL_TESTS) tests/tap.sh tests/cli
 include tests/plugins/local.mk

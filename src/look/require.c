@@ -9,8 +9,8 @@
 #include <stdbool.h>
 
 struct features {
-	uint64_t kinds[SHAPE_KINDS], instances;
-	uint64_t triangles, vertices, smooth, mesh_bytes;
+	uint64_t kinds[SHAPE_KINDS];
+	uint64_t triangles, vertices, smooth;
 	bool mirror, clear, refraction, fade, layered, blended;
 };
 
@@ -42,9 +42,6 @@ static void look_at_shapes(const struct scene *s, struct features *f)
 		f->vertices += m->vertex_count;
 		f->smooth += m->normal ? m->smooth_count : 0;
 		f->blended |= m->textures_per_face == 3;
-		f->mesh_bytes += 24ull * m->vertex_count + 12ull * m->triangle_count +
-				 12ull * m->normal_count + (m->normal_index ? 12ull * m->smooth_count : 0) +
-				 4ull * m->triangle_count * m->textures_per_face;
 	}
 }
 
@@ -83,7 +80,35 @@ static void print_lights(const struct scene *s, FILE *out)
 		point, spot, cylinder, parallel, area, shadowless);
 }
 
-void require_text(const struct scene *s, FILE *out)
+static void print_structure(const struct geometry *g, const char *accel, FILE *out)
+{
+	struct geometry_counts c = { 0 };
+
+	geometry_get_counts(g, &c);
+	fprintf(out, "structure\n  %s\n", accel);
+	fprintf(out, "  triangles %" PRIu64 ", with all instances %" PRIu64 "; other primitives %" PRIu64 "\n",
+		c.triangles, c.effective_triangles, c.primitives);
+	fprintf(out, "  instances %" PRIu64 ", unbounded %" PRIu64 "; left out for lack of area %" PRIu64 "\n",
+		c.instances, c.unbounded, c.dropped);
+	if (c.triangles + c.primitives + c.instances)
+		fprintf(out, "  extent %.6g %.6g %.6g to %.6g %.6g %.6g; vertices in %s\n", c.box.lo.x,
+			c.box.lo.y, c.box.lo.z, c.box.hi.x, c.box.hi.y, c.box.hi.z,
+			c.vertex_double ? "double" : "float, exactly");
+}
+
+static void print_memory(const struct mem_book *book, FILE *out)
+{
+	fputs("memory, MiB\n", out);
+	for (uint32_t i = 0; i < book->count; i++) {
+		if (book->account[i].peak >= 1 << 14)
+			fprintf(out, "  %-26s %8.2f\n", book->account[i].name,
+				(double)book->account[i].peak / 1048576);
+	}
+	fprintf(out, "  %-26s %8.2f\n", "all, without the picture", (double)book->peak / 1048576);
+}
+
+void require_text(const struct scene *s, const struct geometry *g, const char *accel,
+		  const struct mem_book *book, FILE *out)
 {
 	struct features f = { 0 };
 
@@ -100,10 +125,11 @@ void require_text(const struct scene *s, FILE *out)
 	fprintf(out,
 		"required\n  shadows %s, mirrors %s, transparency %s, refraction %s, coloured glass %s\n",
 		s->light_count ? "yes" : "no", f.mirror ? "yes" : "no", f.clear ? "yes" : "no",
-		f.refraction ? "yes" : "no", f.fade ? "yes" : "no");
+		f.clear && f.refraction ? "yes" : "no", f.clear && f.fade ? "yes" : "no");
 	fprintf(out, "  layered textures %s, vertex textures %s, rays up to depth %u\n",
 		f.layered ? "yes" : "no", f.blended ? "yes" : "no", s->max_trace_level);
 	if (s->radiosity)
-		fputs("  radiosity: asked for, but not supported; it would be left out\n", out);
-	fprintf(out, "memory\n  meshes %.1f MiB\n", (double)f.mesh_bytes / 1048576);
+		fputs("  radiosity: asked for, but not supported; it is left out\n", out);
+	print_structure(g, accel, out);
+	print_memory(book, out);
 }

@@ -1,15 +1,19 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * What a scene requires, without rendering it: things by kind, features, memory.
+ * What a scene requires, without rendering it: things by kind, features, structure, memory.
  */
 #ifndef ALIDADE_LOOK_REQUIRE_H
 #define ALIDADE_LOOK_REQUIRE_H
 
 #include <stdio.h>
 
+#include "accel/trace.h"
+#include "base/mem.h"
 #include "scene/scene.h"
 
-void require_text(const struct scene *, FILE *out);
+/* accel: as by accel_describe(). */
+void require_text(const struct scene *, const struct geometry *, const char *accel, const struct mem_book *,
+		  FILE *out);
 
 #endif

@@ -55,11 +55,11 @@ static void text_rays(const struct render_counts *r, FILE *out)
 	uint64_t cast, hit;
 
 	sum_rays(r, &cast, &hit);
-	fprintf(out, "%-24s %15s %15s %15s\n", "rays", "cast", "hit", "missed");
+	fprintf(out, "%-28s %15s %15s %15s\n", "rays", "cast", "hit", "missed");
 	for (int k = 0; k < RENDER_RAY_KINDS; k++)
-		fprintf(out, "  %-22s %15" PRIu64 " %15" PRIu64 " %15" PRIu64 "  %5.1f %% hit\n", ray_name[k],
+		fprintf(out, "  %-26s %15" PRIu64 " %15" PRIu64 " %15" PRIu64 "  %5.1f %% hit\n", ray_name[k],
 			r->cast[k], r->hit[k], r->cast[k] - r->hit[k], percent(r->hit[k], r->cast[k]));
-	fprintf(out, "  %-22s %15" PRIu64 " %15" PRIu64 " %15" PRIu64 "  %5.1f %% hit\n", "all", cast, hit,
+	fprintf(out, "  %-26s %15" PRIu64 " %15" PRIu64 " %15" PRIu64 "  %5.1f %% hit\n", "all", cast, hit,
 		cast - hit, percent(hit, cast));
 }
 
@@ -71,13 +71,13 @@ static void text_counters(const struct stats *s, FILE *out)
 	sum_rays(s->render, &cast, &hit);
 	fputs("accelerator\n", out);
 	for (size_t i = 0; i < COUNTERS; i++)
-		fprintf(out, "  %-22s %15" PRIu64 "  %.2f a ray\n", counter_table[i].label,
+		fprintf(out, "  %-26s %15" PRIu64 "  %.2f a ray\n", counter_table[i].label,
 			count[counter_table[i].counter],
 			cast ? (double)count[counter_table[i].counter] / (double)cast : 0);
-	fprintf(out, "  %-22s %15" PRIu64 "\n", "volume misses",
+	fprintf(out, "  %-26s %15" PRIu64 "\n", "volume misses",
 		count[ALD_COUNT_VOLUME_TESTS] - count[ALD_COUNT_VOLUME_HITS]);
 	if (count[ALD_COUNT_VOLUME_HITS])
-		fprintf(out, "  %-22s %15.1f %%\n", "volume hits real",
+		fprintf(out, "  %-26s %15.1f %%\n", "volume hits real",
 			percent(count[ALD_COUNT_VOLUME_USEFUL], count[ALD_COUNT_VOLUME_HITS]));
 }
 
@@ -89,27 +89,27 @@ static void text_structure(const struct stats *s, FILE *out)
 
 	geometry_get_counts(s->geometry, &c);
 	fputs("structure\n", out);
-	fprintf(out, "  %-22s %15" PRIu64 "\n", "triangles", c.triangles);
+	fprintf(out, "  %-26s %15" PRIu64 "\n", "triangles", c.triangles);
 	if (c.effective_triangles != c.triangles)
-		fprintf(out, "  %-22s %15" PRIu64 "\n", "with all instances", c.effective_triangles);
-	fprintf(out, "  %-22s %15" PRIu64 "\n", "primitives", c.primitives);
-	fprintf(out, "  %-22s %15" PRIu64 "\n", "instances", c.instances);
-	fprintf(out, "  %-22s %15" PRIu64 "\n", "unbounded", c.unbounded);
+		fprintf(out, "  %-26s %15" PRIu64 "\n", "with all instances", c.effective_triangles);
+	fprintf(out, "  %-26s %15" PRIu64 "\n", "primitives", c.primitives);
+	fprintf(out, "  %-26s %15" PRIu64 "\n", "instances", c.instances);
+	fprintf(out, "  %-26s %15" PRIu64 "\n", "unbounded", c.unbounded);
 	if (c.dropped)
-		fprintf(out, "  %-22s %15" PRIu64 "\n", "degenerate, left out", c.dropped);
+		fprintf(out, "  %-26s %15" PRIu64 "\n", "degenerate, left out", c.dropped);
 	for (uint32_t i = 0; geometry_stat(s->geometry, i, &name, &value); i++)
-		fprintf(out, "  %-22s %15.10g\n", name, value);
+		fprintf(out, "  %-26s %15.10g\n", name, value);
 }
 
 static void text_memory(const struct mem_book *book, FILE *out)
 {
 	uint32_t n = book->count;
 
-	fprintf(out, "%-24s %15s %15s\n", "memory, MiB", "now", "most");
+	fprintf(out, "%-28s %15s %15s\n", "memory, MiB", "now", "most");
 	for (uint32_t i = 0; i < n; i++)
-		fprintf(out, "  %-22s %15.2f %15.2f\n", book->account[i].name,
+		fprintf(out, "  %-26s %15.2f %15.2f\n", book->account[i].name,
 			(double)book->account[i].now / 1048576, (double)book->account[i].peak / 1048576);
-	fprintf(out, "  %-22s %15.2f %15.2f\n", "all", (double)book->now / 1048576,
+	fprintf(out, "  %-26s %15.2f %15.2f\n", "all", (double)book->now / 1048576,
 		(double)book->peak / 1048576);
 }
 
@@ -120,10 +120,10 @@ static void text_time(const struct stats *s, FILE *out)
 
 	sum_rays(s->render, &cast, &hit);
 	fputs("time, s\n", out);
-	fprintf(out, "  %-22s %15.3f\n  %-22s %15.3f\n", "read", s->read_seconds, "build", build);
-	fprintf(out, "  %-22s %15.3f\n  %-22s %15.3f\n", "render", s->render->seconds, "write",
+	fprintf(out, "  %-26s %15.3f\n  %-26s %15.3f\n", "read", s->read_seconds, "build", build);
+	fprintf(out, "  %-26s %15.3f\n  %-26s %15.3f\n", "render", s->render->seconds, "write",
 		s->write_seconds);
-	fprintf(out, "  %-22s %15.0f\n", "rays per second", per_second(cast, s->render->seconds));
+	fprintf(out, "  %-26s %15.0f\n", "rays per second", per_second(cast, s->render->seconds));
 }
 
 void stats_text(const struct stats *s, FILE *out)

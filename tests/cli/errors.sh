@@ -55,7 +55,7 @@ rm text.so
 
 # The picture.
 ok "no such folder" ends 1 "nowhere/x.png" -o nowhere/x.png scene.pov
-ok "no such format" ends 1 "x.nothing" -o x.nothing scene.pov
+ok "no such format" ends 2 "x.nothing" -o x.nothing scene.pov
 if [ "$(id -u)" = 0 ]; then
 	skip "a folder that may not be written to" "root may write anywhere"
 else

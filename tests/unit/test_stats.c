@@ -87,17 +87,17 @@ static void test_text(void **state)
 
 	(void)state;
 	has(text, "alidade 1.2.3: a \"b\".pov, 20x15 aa none, octree:leaf=8, 2 threads\n");
-	has(text, "  camera                             300             200             100   66.7 % hit\n");
-	has(text, "  all                                400             240             160   60.0 % hit\n");
-	has(text, "  intersection tests                1000  2.50 a ray\n");
-	has(text, "  volume misses                      200\n");
-	has(text, "  volume hits real                  25.0 %\n");
-	has(text, "  with all instances                6144\n");
-	has(text, "  degenerate, left out                 4\n");
-	has(text, "  nodes                              585\n  depth                                4\n");
-	has(text, "  scene                             1.00            1.00\n");
-	has(text, "  read                             0.125\n  build                            0.250\n");
-	has(text, "  rays per second                    800\n");
+	has(text, "  camera                                 300             200             100   66.7 % hit\n");
+	has(text, "  all                                    400             240             160   60.0 % hit\n");
+	has(text, "  intersection tests                    1000  2.50 a ray\n");
+	has(text, "  volume misses                          200\n");
+	has(text, "  volume hits real                      25.0 %\n");
+	has(text, "  with all instances                    6144\n");
+	has(text, "  degenerate, left out                     4\n");
+	has(text, "  nodes                                  585\n  depth                                    4\n");
+	has(text, "  scene                                 1.00            1.00\n");
+	has(text, "  read                                 0.125\n  build                                0.250\n");
+	has(text, "  rays per second                        800\n");
 	free(text);
 }
 

@@ -39,6 +39,16 @@ static struct slot *target(struct pov *p, const struct token *name, bool local, 
 	return b ? slot_follow(&b->slot) : NULL;
 }
 
+/* deprecated [once] ["what to use instead"]: said to authors of include files, not to users of ours. */
+static void skip_deprecated(struct pov *p)
+{
+	p->have = false;
+	if (token_raw_name(p) && p->tok.kind == TOK_ONCE)
+		p->have = false;
+	if (token_raw_name(p) && p->tok.kind == TOK_STRING)
+		p->have = false;
+}
+
 static void declare(struct pov *p, bool local)
 {
 	struct slot value = { .kind = SLOT_EMPTY }, *to;
@@ -49,6 +59,11 @@ static void declare(struct pov *p, bool local)
 
 	if (!token_raw_name(p))
 		return;
+	if (p->tok.kind == TOK_DEPRECATED) {
+		skip_deprecated(p);
+		if (!token_raw_name(p))
+			return;
+	}
 	name = p->tok;
 	if (!name.atom || name.atom->kind != TOK_NEW_IDENT) {
 		pov_fail(p, "expected an identifier to declare, found %s%s", pov_text(p),
@@ -176,7 +191,9 @@ static void skip_file_operands(struct pov *p, enum pov_token_kind word)
 	pov_expect(p, TOK_LEFT_PAREN, "");
 	token_raw_name(p);
 	p->have = false;
-	while (!p->failed && pov_accept(p, TOK_COMMA)) {
+	while (!p->failed && pov_token(p) != TOK_RIGHT_PAREN) {
+		if (pov_accept(p, TOK_COMMA))
+			continue;
 		if (pov_token(p) == TOK_NEW_IDENT || p->tok.kind == TOK_UNSET ||
 		    (p->tok.kind >= TOK_SINT16BE && p->tok.kind <= TOK_SINT8) ||
 		    (p->tok.kind >= TOK_UINT16BE && p->tok.kind <= TOK_UINT8))
@@ -266,6 +283,11 @@ void directive(struct pov *p)
 	case TOK_HASH:
 		break;
 	default:
+		if (!p->tok.atom && p->tok.kind != TOK_END) {
+			pov_warn(p, &pos, "# without a directive after it is ignored");
+			p->have = true;
+			break;
+		}
 		pov_fail_at(p, &pos, "#%.*s is no directive",
 			    (int)(p->tok.end - p->tok.begin > 30 ? 30 : p->tok.end - p->tok.begin),
 			    p->tok.begin);

@@ -13,9 +13,10 @@
 
 #include <math.h>
 
+/* A float where v->count components are wanted. */
 static void fill(struct pov_value *v, double f)
 {
-	for (uint32_t i = 0; i < 5; i++)
+	for (uint32_t i = 0; i < v->count; i++)
 		v->c[i] = f;
 }
 

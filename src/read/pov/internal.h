@@ -125,6 +125,7 @@ struct token {
 	struct slot value; /* a TOK_IDENT's, copied: its binding may be gone when it is used */
 	struct slot *where; /* where that is kept, or the empty element */
 	bool element; /* of an array */
+	bool waiting; /* a # or a macro's name, still to be carried out */
 };
 
 struct warned {

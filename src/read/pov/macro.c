@@ -71,26 +71,16 @@ void macro_define(struct pov *p, struct diag_pos pos)
 	b->slot.u.macro = m;
 }
 
-/* One argument. An identifier alone is passed by reference, also one that is not declared yet; but not
- * one that another macro left as its value: what it stands for ends with that macro. */
+/* One argument. An identifier alone is passed by reference; but not one that another macro left as its
+ * value: what it stands for ends with that macro. */
 static bool read_argument(struct pov *p, struct macro *m, uint32_t i, struct slot *out)
 {
 	const struct source *caller = p->source;
 	enum pov_token_kind kind = pov_token(p);
-	struct binding *b;
 
 	if (kind == TOK_RIGHT_PAREN) {
 		pov_fail(p, "macro %s has %u parameters, but only %u are given here", m->name, m->count, i);
 		return false;
-	}
-	if (kind == TOK_NEW_IDENT && p->source == caller) {
-		b = bind(p, p->tok.atom, scope_depth(p));
-		if (!b)
-			return false;
-		*out = (struct slot){ .kind = SLOT_REF };
-		out->u.ref = slot_follow(&b->slot);
-		pov_next(p);
-		return true;
 	}
 	if (kind == TOK_UNSET && p->source == caller) {
 		*out = (struct slot){ .kind = SLOT_REF };

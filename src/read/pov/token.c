@@ -97,70 +97,78 @@ static struct slot *find_element(struct pov *p, struct slot *slot)
 	return p->failed ? NULL : slot;
 }
 
-/* A name was lexed: find what it stands for. False: a macro was called, go on with its body. */
-static bool resolve(struct pov *p)
+/* While a declaration is not finished, directives and macros right after its value have to wait. */
+static bool held(const struct pov *p)
+{
+	return p->hold && p->depth == p->hold_depth;
+}
+
+/* A name was lexed: find what it stands for. */
+static void resolve(struct pov *p)
 {
 	struct binding *b = p->tok.atom->top;
-	struct diag_pos pos = p->tok.pos;
 	struct slot *s;
 
 	if (!b)
-		return true;
+		return;
 	s = slot_follow(&b->slot);
 	if (s->kind == SLOT_ARRAY)
 		s = find_element(p, s);
 	if (!s)
-		return true;
-	if (s->kind == SLOT_MACRO && !p->raw_names) {
-		macro_call(p, s->u.macro, pos);
-		return false;
-	}
+		return;
 	p->tok.where = s;
 	p->tok.value = *s;
 	if (s->kind != SLOT_EMPTY)
 		p->tok.kind = TOK_IDENT;
 	else if (p->tok.element)
 		p->tok.kind = TOK_UNSET;
-	return true;
+	p->tok.waiting = s->kind == SLOT_MACRO && !p->raw_names;
+}
+
+/* The current token is a # or a macro's name whose time has come. */
+static void carry_out(struct pov *p)
+{
+	p->have = false;
+	p->tok.waiting = false;
+	if (p->tok.kind == TOK_HASH)
+		directive(p);
+	else
+		macro_call(p, p->tok.value.u.macro, p->tok.pos);
 }
 
 static void fetch(struct pov *p)
 {
-	while (!p->have) {
+	while (!p->have || (p->tok.waiting && !held(p))) {
+		if (p->have) {
+			carry_out(p);
+			continue;
+		}
+		p->tok.waiting = false;
 		if (!p->failed)
 			lex(p);
 		if (p->failed || !pov_charge(p, 1)) {
 			p->tok.kind = TOK_END;
 			p->tok.atom = NULL;
-			break;
-		}
-		if (p->tok.kind == TOK_NEW_IDENT) {
-			if (resolve(p))
-				break;
+		} else if (p->tok.kind == TOK_NEW_IDENT) {
+			resolve(p);
 		} else if (p->tok.kind == TOK_HASH) {
-			if (p->raw_names || (p->hold && p->depth == p->hold_depth))
-				break;
-			directive(p);
-			/* One that had to wait for it. */
-			while (p->have && p->tok.kind == TOK_HASH &&
-			       !(p->hold && p->depth == p->hold_depth)) {
-				p->have = false;
-				directive(p);
-			}
-		} else if (p->tok.kind != TOK_END || !end_of_source(p)) {
-			break;
+			p->tok.waiting = !p->raw_names;
+		} else if (p->tok.kind == TOK_END && end_of_source(p)) {
+			continue;
 		}
+		p->have = true;
 	}
-	p->have = true;
-	if (p->failed)
+	if (p->failed) {
 		p->tok.kind = TOK_END;
+		p->tok.atom = NULL;
+	}
 }
 
 enum pov_token_kind pov_token(struct pov *p)
 {
 	if (p->failed)
 		return TOK_END;
-	if (!p->have)
+	if (!p->have || p->tok.waiting)
 		fetch(p);
 	return p->tok.kind;
 }

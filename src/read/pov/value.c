@@ -107,6 +107,9 @@ static bool read_number(struct pov *p, struct slot *out, bool colour)
 						    { c.r, c.g, c.b, c.filter, c.transmit } };
 	} else {
 		out->u.number = pov_value(p);
+		/* POV-Ray keeps colours in float. */
+		for (uint32_t i = 0; out->u.number.count == 5 && i < 5; i++)
+			out->u.number.c[i] = (double)(float)out->u.number.c[i];
 	}
 	return !p->failed;
 }
@@ -169,8 +172,6 @@ bool right_side(struct pov *p, struct slot *out, bool parameter)
 	bool colour = p->tok.atom && p->tok.atom->kind != TOK_NEW_IDENT &&
 		      (p->tok.atom->class == KEYWORD_COLOUR || kind == TOK_COLOUR);
 
-	if (kind == TOK_IDENT && p->tok.value.kind == SLOT_NUMBER)
-		colour = p->tok.value.u.number.kind == POV_COLOUR;
 	if (starts_string(p))
 		return read_expression(p, out, parameter, true, false);
 	if (kind == TOK_IDENT && p->tok.value.kind != SLOT_NUMBER &&

@@ -227,14 +227,21 @@ static void file_directive(struct pov *p, enum pov_token_kind word, struct diag_
 		skip_file_operands(p, word);
 }
 
-void directive(struct pov *p)
+/* A # that no directive follows means nothing, as in POV-Ray. */
+static void no_directive(struct pov *p, const struct diag_pos *pos)
 {
-	struct diag_pos pos = p->tok.pos;
-	enum pov_token_kind word;
+	if (!p->tok.atom && p->tok.kind != TOK_END) {
+		pov_warn(p, pos, "# without a directive after it is ignored");
+		p->have = true;
+		return;
+	}
+	pov_fail_at(p, pos, "#%.*s is no directive",
+		    (int)(p->tok.end - p->tok.begin > 30 ? 30 : p->tok.end - p->tok.begin), p->tok.begin);
+}
 
-	lex(p);
-	word = p->tok.atom && p->tok.atom->directive ? p->tok.atom->kind : TOK_END;
-	switch (p->failed ? TOK_HASH : word) {
+static void carry_out_directive(struct pov *p, enum pov_token_kind word, struct diag_pos pos)
+{
+	switch (word) {
 	case TOK_IF: case TOK_IFDEF: case TOK_IFNDEF:
 		cond_if(p, word, pos);
 		break;
@@ -280,16 +287,30 @@ void directive(struct pov *p)
 	case TOK_FOPEN: case TOK_FCLOSE: case TOK_READ: case TOK_WRITE:
 		file_directive(p, word, pos);
 		break;
-	case TOK_HASH:
-		break;
 	default:
-		if (!p->tok.atom && p->tok.kind != TOK_END) {
-			pov_warn(p, &pos, "# without a directive after it is ignored");
-			p->have = true;
-			break;
-		}
-		pov_fail_at(p, &pos, "#%.*s is no directive",
-			    (int)(p->tok.end - p->tok.begin > 30 ? 30 : p->tok.end - p->tok.begin),
-			    p->tok.begin);
+		no_directive(p, &pos);
 	}
+}
+
+/* At the top level these may be written without their #. */
+bool bare_directive(struct pov *p)
+{
+	struct diag_pos pos = pov_pos(p);
+
+	switch (pov_token(p)) {
+	case TOK_DECLARE: case TOK_DEFAULT: case TOK_INCLUDE: case TOK_VERSION:
+		pov_next(p);
+		carry_out_directive(p, p->tok.kind, pos);
+		return true;
+	default:
+		return false;
+	}
+}
+
+void directive(struct pov *p)
+{
+	struct diag_pos pos = p->tok.pos;
+
+	lex(p);
+	carry_out_directive(p, p->tok.atom && p->tok.atom->directive ? p->tok.kind : TOK_END, pos);
 }

@@ -224,6 +224,7 @@ bool token_raw_name(struct pov *); /* the next token with raw_names on */
 
 /* direct.c, cond.c, macro.c: # has been passed; or the macro's name. */
 void directive(struct pov *);
+bool bare_directive(struct pov *); /* true: the current token began one, which was carried out */
 bool hold_begin(struct pov *, int *depth);
 void hold_end(struct pov *, bool hold, int depth);
 void cond_if(struct pov *, enum pov_token_kind, struct diag_pos);

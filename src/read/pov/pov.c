@@ -330,7 +330,7 @@ enum status pov_read(const char *path, const char *bytes, size_t size,
 	p.token_limit = p.limit.tokens + size;
 	if (start(&p, path, bytes, size)) {
 		while (pov_token(&p) != TOK_END) {
-			if (pov_accept(&p, TOK_SEMICOLON) || pov_top_item(&p))
+			if (pov_accept(&p, TOK_SEMICOLON) || bare_directive(&p) || pov_top_item(&p))
 				continue;
 			pov_fail(&p, "%s cannot stand here: an object, a light, a camera, settings or "
 				 "a directive was expected", pov_text(&p));

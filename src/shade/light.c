@@ -33,13 +33,15 @@ struct light_ray light_towards(const struct light *l, vec p, vec shift)
 	return r;
 }
 
-/* 0 up to low, 1 from high, a smooth cubic between. */
+/* 0 below low, 1 from high on, a smooth cubic between; Blender writes cones with high below low. */
 static double smooth(double low, double high, double x)
 {
-	if (x < low || high == low)
-		return x < low ? 0 : 1;
+	if (x < low)
+		return 0;
+	if (x >= high)
+		return 1;
 	x = (x - low) / (high - low);
-	return x >= 1 ? 1 : (3 - 2 * x) * x * x;
+	return (3 - 2 * x) * x * x;
 }
 
 static double spot_cone(const struct light *l, const struct light_ray *r)

@@ -72,6 +72,10 @@ static void spot_falls_off_smoothly(void **state)
 	NEAR(light_attenuation(&l, p, &r), 0.5 * 0.75 * 0.75);
 	l.falloff = 40; /* cos .766: outside */
 	NEAR(light_attenuation(&l, p, &r), 0);
+	l.tightness = 0; /* a cone that ends before it starts to fade is all on or all off */
+	l.falloff = 42;
+	l.radius = 42.001;
+	NEAR(light_attenuation(&l, p, &r), 1);
 }
 
 static void parallel_light_measures_to_its_plane(void **state)

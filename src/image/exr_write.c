@@ -27,19 +27,18 @@ struct writer {
 	exr_encode_pipeline_t pipe;
 	bool piped; /* pipe is initialised */
 	bool failed; /* the stream */
-	char text[200]; /* the library's last complaint */
 	double *row;
 	unsigned char *chunk; /* [channel][line][x], as stored */
 	bool half[IMAGE_CHANNELS];
 };
 
+/* Keeps the library from printing. It may hold its lock here, so its functions can't be asked whose
+ * error this is; the result code tells enough. */
 static void on_error(exr_const_context_t exr, exr_result_t code, const char *text)
 {
-	void *data = NULL;
-
+	(void)exr;
 	(void)code;
-	if (exr && !exr_get_user_data(exr, &data) && data)
-		snprintf(((struct writer *)data)->text, sizeof(((struct writer *)data)->text), "%s", text);
+	(void)text;
 }
 
 static int64_t on_write(exr_const_context_t exr, void *data, const void *bytes, uint64_t n, uint64_t offset,
@@ -49,6 +48,8 @@ static int64_t on_write(exr_const_context_t exr, void *data, const void *bytes, 
 	const char *p = bytes;
 	uint64_t done = 0;
 
+	(void)exr;
+	(void)error;
 	while (done < n) {
 		ssize_t k = pwrite(fileno(w->job->out->file), p + done, n - done, (off_t)(offset + done));
 
@@ -58,7 +59,7 @@ static int64_t on_write(exr_const_context_t exr, void *data, const void *bytes, 
 			if (!w->failed)
 				(void)image_out_failed(w->job->out);
 			w->failed = true;
-			return error(exr, EXR_ERR_WRITE_IO, "cannot write");
+			return -1;
 		}
 	}
 	return (int64_t)n;
@@ -216,7 +217,7 @@ enum status exr_write(const struct image_job *job)
 			st = STATUS_FAILED;
 		else if (rv)
 			st = diag_fail(job->diag, STATUS_FAILED, &pos, "cannot write the picture: %s",
-				       w.text[0] ? w.text : exr_get_default_error_message(rv));
+				       exr_get_default_error_message(rv));
 	} else {
 		st = diag_no_memory(job->diag, "rows of a picture", n * LINES * sizeof(float));
 	}

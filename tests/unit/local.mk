@@ -8,11 +8,17 @@ TESTS += tests/unit/test_json
 endif
 
 if HAVE_CMOCKA
-check_PROGRAMS += tests/unit/test_image_formats
+check_PROGRAMS += tests/unit/test_diff tests/unit/test_image_files tests/unit/test_image_formats
+tests_unit_test_diff_SOURCES = tests/unit/test_diff.c tests/unit/image_fixture.h
+tests_unit_test_diff_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_diff_LDADD = $(UNIT_LIBS)
+tests_unit_test_image_files_SOURCES = tests/unit/test_image_files.c tests/unit/image_fixture.h
+tests_unit_test_image_files_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_image_files_LDADD = $(UNIT_LIBS)
 tests_unit_test_image_formats_SOURCES = tests/unit/test_image_formats.c tests/unit/image_fixture.h
 tests_unit_test_image_formats_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_image_formats_LDADD = $(UNIT_LIBS)
-TESTS += tests/unit/test_image_formats
+TESTS += tests/unit/test_diff tests/unit/test_image_files tests/unit/test_image_formats
 endif
 
 if HAVE_CMOCKA

@@ -53,7 +53,7 @@ static int fixture_setup(void **state)
 }
 
 /* Files in the folder. */
-static uint32_t fixture_count(const struct fixture *f)
+static inline uint32_t fixture_count(const struct fixture *f)
 {
 	DIR *d = opendir(f->folder);
 	uint32_t n = 0;

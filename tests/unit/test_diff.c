@@ -324,7 +324,8 @@ static void test_picture(void **state)
 	p.opt.scale = 4;
 	assert_int_equal(image_diff(&p.a, &p.b, &p.opt, &p.r, &p.picture, &f->book, &f->diag), STATUS_OK);
 	assert_int_equal(p.picture.channels, 3);
-	assert_memory_equal(p.picture.pixel, ((float[]){ 0, 0, 0, 0.25f, 0, 0, 0, 0.25f, 0, 0.5f, 0.5f, 0.5f, 1, 0, 1 }),
+	assert_memory_equal(p.picture.pixel,
+			    ((float[]){ 0, 0, 0, 0.25f, 0, 0, 0, 0.25f, 0, 0.5f, 0.5f, 0.5f, 1, 0, 1 }),
 			    15 * sizeof(float));
 	pair_release(&p);
 }

@@ -18,13 +18,18 @@ struct line {
 	double c2, c1; /* f' = 4 s^3 + 2 c2 s + c1 */
 };
 
+/* Not hypot(): that may differ from machine to machine, and so would hits. */
+static double length(double x, double y)
+{
+	return sqrt(x * x + y * y);
+}
+
 static double surface(const struct line *l, double s)
 {
 	vec q = vec_mad(l->o, l->d, s);
 	double rho = sqrt(q.x * q.x + q.z * q.z);
-	double in = hypot(rho - 1, q.y), out = hypot(rho + 1, q.y);
 
-	return (in - l->a) * (out - l->a);
+	return (length(rho - 1, q.y) - l->a) * (length(rho + 1, q.y) - l->a);
 }
 
 static double slope(const struct line *l, double s)
@@ -37,33 +42,34 @@ static double slope(const struct line *l, double s)
 static double refine(double (*f)(const struct line *, double), const struct line *l, double x, double fx,
 		     double y, double fy)
 {
+	int kept = 0; /* which end moved last: 1 y, -1 x */
+
 	if (fx == 0)
 		return x;
 	if (fy == 0)
 		return y;
 	for (unsigned i = 0; i < 200 && fabs(y - x) > 2 * ALD_U * (1 + fmax(fabs(x), fabs(y))); i++) {
-		double m = x + (y - x) / 2, fm;
+		double m = x + (y - x) / 2, n = x - fx * ((y - x) / (fy - fx)), fm;
+		int now;
 
-		if (i % 3 != 2) {
-			double n = x - fx * ((y - x) / (fy - fx));
-
-			if ((n > x) != (n > y))
-				m = n;
-		}
+		if (i % 4 != 3 && (n > x) != (n > y))
+			m = n;
 		if (m == x || m == y)
 			break;
 		fm = f(l, m);
 		if (fm == 0)
 			return m;
-		if ((fm < 0) == (fy < 0)) {
+		now = (fm < 0) == (fy < 0) ? 1 : -1;
+		if (now > 0) {
 			y = m;
 			fy = fm;
-			fx /= i % 3 ? 2 : 1;
+			fx /= kept == now ? 2 : 1;
 		} else {
 			x = m;
 			fx = fm;
-			fy /= i % 3 ? 2 : 1;
+			fy /= kept == now ? 2 : 1;
 		}
+		kept = now;
 	}
 	return fabs(fx) < fabs(fy) ? x : y;
 }
@@ -126,8 +132,8 @@ static void torus_roots(const struct prim *p, vec o, vec d, struct prim_roots *o
 
 static void torus_surface(const struct prim *p, vec at, uint32_t part, struct prim_point *s)
 {
-	double rho = sqrt(at.x * at.x + at.z * at.z), in = hypot(rho - 1, at.y);
-	double side = fabs(in - p->a) <= fabs(hypot(rho + 1, at.y) - p->a) ? 1 : -1;
+	double rho = sqrt(at.x * at.x + at.z * at.z), in = length(rho - 1, at.y);
+	double side = fabs(in - p->a) <= fabs(length(rho + 1, at.y) - p->a) ? 1 : -1;
 	vec ring = rho > 0 ? vec_make(at.x / rho * side, 0, at.z / rho * side) : vec_make(side, 0, 0);
 
 	(void)part;
@@ -137,7 +143,7 @@ static void torus_surface(const struct prim *p, vec at, uint32_t part, struct pr
 
 static bool torus_inside(const struct prim *p, vec at)
 {
-	return hypot(sqrt(at.x * at.x + at.z * at.z) - 1, at.y) <= p->a;
+	return length(sqrt(at.x * at.x + at.z * at.z) - 1, at.y) <= p->a;
 }
 
 static double torus_reach(const struct prim *p, unsigned k, bool up)

@@ -44,7 +44,7 @@ static void place_triangle(const struct prim_level *l, uint32_t id, double u, do
 
 	prim_triangle(l, id, c);
 	out->p = vec_add(vec_add(vec_scale(c[0], w), vec_scale(c[1], u)), vec_scale(c[2], v));
-	n = vec_cross(vec_sub(c[1], c[0]), vec_sub(c[2], c[0]));
+	n = vec_cross(vec_sub(c[2], c[0]), vec_sub(c[1], c[0])); /* the side POV-Ray calls outside */
 	/* Scaled before it is squared: tiny triangles. */
 	out->n = vec_unit(vec_scale(n, 1 / ald_max(ald_max(fabs(n.x), fabs(n.y)), fabs(n.z))));
 	out->error = 64 * ALD_U * ald_max(ald_max(size_of(c[0]), size_of(c[1])), size_of(c[2]));

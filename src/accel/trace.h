@@ -30,8 +30,8 @@ struct geometry; /* opaque; made by geometry_build() */
 /* What shading needs to know of a hit, in world coordinates. */
 struct surface {
 	vec p; /* on the surface */
-	vec n; /* unit geometric normal of the primitive, outward; of a triangle: (b - a) x (c - a), of its
-		  own coordinates, whatever the transform mirrors */
+	vec n; /* unit geometric normal of the primitive, outward; of a triangle: (c - a) x (b - a) in its
+		  own coordinates, whatever the transform mirrors, as POV-Ray has it */
 	vec ns; /* unit shading normal, in n's hemisphere as the mesh gives it; = n where flat */
 	double bary[3]; /* of a triangle's corners */
 	uint32_t texture[3]; /* scene textures; [1] and [2] equal [0] unless blended by bary; SCENE_NONE:

@@ -12,6 +12,7 @@
 #include "render/aa.h"
 
 #define UNKNOWN UINT32_MAX
+#define SAMPLES_HELD 16384
 
 /* The fine grid of a tile: map[] holds, for each place, its index in w->sample. */
 struct grid {
@@ -111,7 +112,8 @@ static double difference(const struct sample *a, const struct sample *b, double 
 }
 
 /* n x n centres of equal squares; n = 1 is no anti-aliasing. */
-static bool plain(struct worker *w, const struct aa_tile *tile, uint32_t n, struct aa_pixel *pixel)
+static bool plain_part(struct worker *w, const struct aa_tile *tile, uint32_t n, struct aa_pixel *pixel,
+		       uint32_t pitch)
 {
 	struct grid g;
 	bool more;
@@ -124,12 +126,35 @@ static bool plain(struct worker *w, const struct aa_tile *tile, uint32_t n, stru
 				const struct sample *s = grid_at(&g, (int32_t)x, (int32_t)y);
 
 				if (pass && s)
-					pixel_add(&pixel[y / n * tile->width + x / n], s,
+					pixel_add(&pixel[y / n * pitch + x / n], s,
 						  1.0 / ((double)n * n));
 			}
 		}
 		if (!pass && !grid_trace(&g, &more))
 			return false;
+	}
+	return true;
+}
+
+/* Fine grids are taken a part of the tile at a time, so that the samples held stay few. */
+static bool plain(struct worker *w, const struct aa_tile *tile, uint32_t n, struct aa_pixel *pixel)
+{
+	uint32_t most = SAMPLES_HELD / (n * n), step = most / tile->width;
+	uint32_t width = tile->width;
+
+	if (step == 0) {
+		step = 1;
+		width = most ? most : 1;
+	}
+	for (uint32_t y = 0; y < tile->height; y += step) {
+		for (uint32_t x = 0; x < tile->width; x += width) {
+			struct aa_tile part = { tile->x + x, tile->y + y,
+						tile->width - x < width ? tile->width - x : width,
+						tile->height - y < step ? tile->height - y : step };
+
+			if (!plain_part(w, &part, n, pixel + (size_t)y * tile->width + x, tile->width))
+				return false;
+		}
 	}
 	return true;
 }

@@ -14,7 +14,7 @@
 
 #define TILE 32
 #define TILE_MAX 256
-#define AA_MAX 16
+#define AA_MAX 64
 #define AA_DEPTH_MAX 9 /* POV-Ray's own bound */
 
 struct job {
@@ -133,7 +133,7 @@ static enum status check(const struct render_options *o, struct diag *d)
 	if (o->aa != RENDER_AA_NONE && (o->aa_n < 1 || o->aa_n > AA_MAX))
 		return diag_fail(d, STATUS_USAGE, NULL, "anti-aliasing %u is not within 1 to %d", o->aa_n,
 				 AA_MAX);
-	if (o->aa == RENDER_AA_POV2 && o->aa_n > AA_DEPTH_MAX)
+	if ((o->aa == RENDER_AA_POV1 || o->aa == RENDER_AA_POV2) && o->aa_n > AA_DEPTH_MAX)
 		return diag_fail(d, STATUS_USAGE, NULL, "anti-aliasing depth %u is over %d", o->aa_n,
 				 AA_DEPTH_MAX);
 	return STATUS_OK;

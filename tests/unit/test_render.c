@@ -129,6 +129,7 @@ static void nothing_but_the_scene_decides(void **state)
 	const struct render_options way[] = {
 		{ .aa = RENDER_AA_NONE },
 		{ .aa = RENDER_AA_GRID, .aa_n = 3 },
+		{ .aa = RENDER_AA_GRID, .aa_n = 17 },
 		{ .aa = RENDER_AA_POV1, .aa_n = 3, .aa_threshold = 0.1 },
 		{ .aa = RENDER_AA_POV2, .aa_n = 3, .aa_threshold = 0.1 },
 	};

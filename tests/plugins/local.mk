@@ -6,4 +6,16 @@ tests_unit_test_accels_SOURCES = tests/unit/test_accels.c tests/unit/rays.c test
 tests_unit_test_accels_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_accels_LDADD = $(UNIT_LIBS)
 TESTS += tests/unit/test_accels
+
+check_PROGRAMS += tests/unit/test_load
+tests_unit_test_load_SOURCES = tests/unit/test_load.c
+tests_unit_test_load_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_load_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_load
 endif
+
+check_PROGRAMS += tests/plugins/try
+tests_plugins_try_SOURCES = tests/plugins/try.c
+tests_plugins_try_LDADD = src/libalidade.la
+TESTS += tests/plugins/load.sh
+EXTRA_DIST += tests/plugins/load.sh tests/plugins/bad.c

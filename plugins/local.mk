@@ -29,3 +29,6 @@ install-data-hook:
 
 uninstall-hook:
 	cd '$(DESTDIR)$(pkglibacceldir)' && rm -f none.so sphere.so box.so octree.so
+
+# To start one's own from, outside of this tree.
+EXTRA_DIST += plugins/template/Makefile plugins/template/README.md plugins/template/mine.c

@@ -176,6 +176,35 @@ static void adaptive_methods_refine_edges(void **state)
 	image_release(&b);
 }
 
+/* A lamp in the middle of a tilted disc lights both sides as if the disc were not there. */
+static void a_surface_does_not_hide_its_own_lamp(void **state)
+{
+	struct render_options o = { .aa = RENDER_AA_NONE };
+	struct render_counts counts;
+	struct stage *st = *state;
+	struct scene *s = &st->scene;
+	uint32_t disc = scene_add_object(s);
+	struct image with, without;
+
+	s->object[disc].kind = SHAPE_DISC;
+	s->object[disc].shape.disc.centre = s->light[1].location;
+	s->object[disc].shape.disc.normal = vec_unit(vec_make(0.2, 1, 0.3));
+	s->object[disc].shape.disc.radius = 0.4;
+	s->object[disc].texture = 1; /* opaque */
+	s->object[s->last_root].next_sibling = disc;
+	s->light[0].shadowless = true; /* that one does cast the disc's shadow */
+	s->object[disc].flags = 0;
+	assert_int_equal(render(st, &o, 1, &with, &counts), 0);
+	s->object[disc].flags = OBJECT_NO_SHADOW;
+	assert_int_equal(render(st, &o, 1, &without, &counts), 0);
+	assert_same(&without, &with, 0, 0);
+	image_release(&with);
+	image_release(&without);
+	s->light[0].shadowless = false;
+	s->object[s->last_root].next_sibling = SCENE_NONE;
+	s->object_count--;
+}
+
 static bool stop_soon(void *arg)
 {
 	return ++*(int *)arg > 2;
@@ -236,6 +265,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(nothing_but_the_scene_decides),
 		cmocka_unit_test(adaptive_methods_refine_edges),
+		cmocka_unit_test(a_surface_does_not_hide_its_own_lamp),
 		cmocka_unit_test(stopping_keeps_what_is_done),
 		cmocka_unit_test(nan_is_never_stored),
 		cmocka_unit_test(options_are_checked),

@@ -52,6 +52,15 @@ static bool wanted(const struct tree *t, const struct light *l, const struct met
 	return false;
 }
 
+/* A lamp that lies in a surface is not hidden by it: the ray ends before the light by a bound on what
+ * rounding does to coordinates of this size. */
+static double short_of(vec p, const struct light_ray *r)
+{
+	double size = fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))) + r->depth;
+
+	return r->depth - 0x1p-44 * size;
+}
+
 static void ask(struct tree *t, const struct met *m, const struct node *n, const struct light_ray *r,
 		struct rgb colour)
 {
@@ -61,7 +70,7 @@ static void ask(struct tree *t, const struct met *m, const struct node *n, const
 		*BUF_AT(&t->shadow, struct shadow, i) =
 			(struct shadow){ .org = shadow_origin(m, r->dir),
 					 .dir = r->dir,
-					 .depth = r->depth,
+					 .depth = short_of(m->p, r),
 					 .skip = m->skip,
 					 .inside = n->inside,
 					 .colour = colour };

@@ -50,7 +50,8 @@ static const struct option_spec diff_option[] = {
 	{ "allowfailures", KEY_ALLOW_FAILURES, OPTION_ARG, "N", COMPLETE_NOTHING, NULL,
 	  "N pixels may fail or warn by any amount", NULL },
 	{ "warn", KEY_WARN, OPTION_ARG, "VAL", COMPLETE_NOTHING, NULL,
-	  "a pixel warns if a channel differs by more than VAL; 1e-6 is the default", NULL },
+	  "a pixel warns if a channel differs by more than VAL; 1e-6, where any pixel fails, is the default",
+	  NULL },
 	{ "warnpercent", KEY_WARN_PERCENT, OPTION_ARG, "PERCENT", COMPLETE_NOTHING, NULL,
 	  "warning if more than this share of the pixels warns; 0 is the default", NULL },
 	{ "hardwarn", KEY_HARD_WARN, OPTION_ARG, "VAL", COMPLETE_NOTHING, NULL,
@@ -169,6 +170,8 @@ static enum status set_option(void *arg, const struct option_spec *o, const char
 		if (!number(value, o->key == KEY_FAIL_PERCENT || o->key == KEY_WARN_PERCENT ? 100 : 1e300,
 			    threshold))
 			return wrong(d, o, value, "a number from 0 on, as in 0.004 or 1/255");
+		if (o->key == KEY_WARN || o->key == KEY_WARN_PERCENT || o->key == KEY_HARD_WARN)
+			s->diff.warn_always = true;
 		return STATUS_OK;
 	}
 	switch (o->key) {

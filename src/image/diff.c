@@ -307,7 +307,7 @@ static void judge(struct diff_result *r, const struct diff_options *o)
 	if (r->max > o->hard_fail + SLACK)
 		reason(r, DIFF_FAIL, "the largest difference, %.6g, is above %.6g", r->max, o->hard_fail);
 	judge_figures(r, o);
-	if (r->verdict == DIFF_FAIL)
+	if (r->verdict == DIFF_FAIL || (!r->over_fail && !o->warn_always))
 		return;
 	if ((double)r->over_warn > o->warn_percent / 100 * (double)r->pixels && r->over_warn > o->allow_failures)
 		reason(r, DIFF_WARN, "%" PRIu64 " pixels (%.4g %%) differ by more than %.6g; %.4g %% may", r->over_warn,

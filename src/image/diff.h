@@ -27,6 +27,7 @@ struct diff_options {
 	bool allow_nonfinite; /* not an error where both have the same NaN or infinity */
 	uint32_t crop_x, crop_y, crop_width, crop_height; /* width 0: all */
 	double fail, fail_percent, warn, warn_percent; /* share of the pixels that may exceed it */
+	bool warn_always; /* also if no pixel exceeds fail, when idiff does not look at warn */
 	double hard_fail, hard_warn; /* no pixel may */
 	uint64_t allow_failures; /* pixels that may exceed fail by any amount */
 	double max_rms, max_mean, max_p99; /* Inf: no matter; mean: of any channel, without its sign */

@@ -139,17 +139,25 @@ enum status oiio_can_write(const char *path, uint32_t bits, struct diag *diag)
 	return STATUS_OK;
 }
 
-static enum status write_pixels(const struct image_job *job, const struct io_oiio *io, uint32_t bits,
-				const struct image_pick *pick, int linear, float *pixel, double *row)
+static int put(void *arg, const void *bytes, size_t n)
 {
-	const struct image *im = job->image;
-	struct image_form form = { linear ? IMAGE_LINEAR : IMAGE_SRGB, true };
+	struct image_out *out = arg;
+
+	if (fwrite(bytes, 1, n, out->file) == n && !fflush(out->file))
+		return 0;
+	(void)image_out_failed(out);
+	return 1;
+}
+
+static enum status write_pixels(const struct image_job *job, const struct io_oiio *io,
+				const struct io_oiio_picture *picture)
+{
 	const char **text = calloc(2 * (size_t)job->notes + 1, sizeof(*text));
-	size_t n = (size_t)im->width * pick->count;
+	struct io_oiio_picture p = *picture;
 	struct diag_pos pos = { .file = job->out->path };
 	enum status st = STATUS_OK;
-	float *to = pixel;
 	char error[512];
+	int bad;
 
 	if (!text)
 		return diag_no_memory(job->diag, "a picture's notes", job->notes * sizeof(*text));
@@ -157,16 +165,29 @@ static enum status write_pixels(const struct image_job *job, const struct io_oii
 		text[i] = job->note[i].key;
 		text[job->notes + i] = job->note[i].value;
 	}
-	for (uint32_t y = 0; y < im->height; y++) {
-		image_row(im, y, pick->channel, pick->count, form, row);
-		for (size_t i = 0; i < n; i++)
-			*to++ = (float)row[i];
-	}
-	if (io->write(job->out->temporary, im->width, im->height, pick->count, bits, linear, pixel, text,
-		      text + job->notes, job->notes, error, sizeof(error)))
+	p.key = text;
+	p.value = text + job->notes;
+	p.notes = job->notes;
+	bad = io->write(job->out->temporary, &p, put, job->out, error, sizeof(error));
+	if (bad == 2)
+		st = STATUS_FAILED;
+	else if (bad)
 		st = diag_fail(job->diag, STATUS_FAILED, &pos, "cannot write the picture: %s", error);
 	free(text);
 	return st;
+}
+
+/* Samples as the file shall hold them. */
+static void fill(const struct image *im, const struct image_pick *pick, bool linear, float *pixel, double *row)
+{
+	struct image_form form = { linear ? IMAGE_LINEAR : IMAGE_SRGB, true };
+	size_t n = (size_t)im->width * pick->count;
+
+	for (uint32_t y = 0; y < im->height; y++) {
+		image_row(im, y, pick->channel, pick->count, form, row);
+		for (size_t i = 0; i < n; i++)
+			*pixel++ = (float)row[i];
+	}
 }
 
 enum status oiio_write(const struct image_job *job)
@@ -196,10 +217,14 @@ enum status oiio_write(const struct image_job *job)
 	n = (size_t)im->width * im->height * pick.count;
 	pixel = malloc(mem_product(n, sizeof(*pixel)));
 	row = malloc(mem_product((size_t)im->width * pick.count, sizeof(*row)));
-	if (pixel && row)
-		st = write_pixels(job, io, bits, &pick, linear, pixel, row);
-	else
+	if (pixel && row) {
+		struct io_oiio_picture p = { im->width, im->height, pick.count, bits, linear, pixel, NULL, NULL, 0 };
+
+		fill(im, &pick, linear, pixel, row);
+		st = write_pixels(job, io, &p);
+	} else {
 		st = diag_no_memory(job->diag, "a picture", n * sizeof(*pixel));
+	}
 	free(pixel);
 	free(row);
 	return st;

@@ -113,6 +113,8 @@ static void test_thresholds(void **state)
 	assert_int_equal(pair_diff(f, &p), DIFF_FAIL);
 	p.opt.hard_fail = 0.11;
 	p.opt.hard_warn = 0.09;
+	assert_int_equal(pair_diff(f, &p), DIFF_SAME); /* idiff does not look at it either */
+	p.opt.warn_always = true;
 	assert_int_equal(pair_diff(f, &p), DIFF_WARN);
 	diff_options_init(&p.opt);
 	p.opt.allow_failures = 10;

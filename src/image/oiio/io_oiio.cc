@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 namespace
@@ -112,7 +113,7 @@ int do_can_write(const char *path, uint32_t *bits, int *linear, int *alpha, char
 	return 0;
 }
 
-/* Some writers don't look whether their bytes reach the disk: read the picture again. */
+/* Some writers don't look whether their bytes reach the disk, others are broken: read it again. */
 bool reads_back(const char *path, const OIIO::ImageSpec &spec)
 {
 	std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path);
@@ -128,17 +129,32 @@ bool reads_back(const char *path, const OIIO::ImageSpec &spec)
 	return in->read_image(0, 0, 0, back.nchannels, OIIO::TypeDesc::UINT8, row.data());
 }
 
-int do_write(const char *path, const OIIO::ImageSpec &spec, const float *pixel, char *error, size_t size)
+int do_write(const char *path, const io_oiio_picture *p, int (*put)(void *, const void *, size_t), void *arg,
+	     char *error, size_t size)
 {
 	std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(path);
-	bool ok;
+	OIIO::ImageSpec spec(static_cast<int>(p->width), static_cast<int>(p->height),
+			     static_cast<int>(p->channels),
+			     p->bits == 8  ? OIIO::TypeDesc::UINT8 :
+			     p->bits == 16 ? OIIO::TypeDesc::UINT16 :
+					     OIIO::TypeDesc::FLOAT);
+	OIIO::Filesystem::IOVecOutput memory;
+	bool whole;
 
 	if (!out)
 		return fail(error, size, OIIO::geterror());
-	ok = out->open(path, spec) && out->write_image(OIIO::TypeDesc::FLOAT, pixel);
-	if (!ok || !out->close())
+	spec.attribute("oiio:ColorSpace", p->linear ? "Linear" : "sRGB");
+	spec.attribute("CompressionQuality", 95);
+	for (uint32_t i = 0; i < p->notes; i++)
+		spec.attribute(p->key[i], p->value[i]);
+	/* TIFF through memory comes out without its directory (2.4.7). */
+	whole = std::strcmp(out->format_name(), "tiff") && out->supports("ioproxy") &&
+		out->set_ioproxy(&memory);
+	if (!out->open(path, spec) || !out->write_image(OIIO::TypeDesc::FLOAT, p->pixel) || !out->close())
 		return fail(error, size, out->geterror());
 	out.reset();
+	if (whole && put(arg, memory.buffer().data(), memory.buffer().size()))
+		return 2;
 	if (!reads_back(path, spec))
 		return fail(error, size, "what was written cannot be read again: is the disk full?");
 	return 0;
@@ -154,23 +170,10 @@ int io_can_write(const char *path, uint32_t *bits, int *linear, int *alpha, char
 	return guarded(error, size, [=] { return do_can_write(path, bits, linear, alpha, error, size); });
 }
 
-int io_write(const char *path, uint32_t width, uint32_t height, uint32_t channels, uint32_t bits, int linear,
-	     const float *pixel, const char *const *key, const char *const *value, uint32_t notes, char *error,
-	     size_t size)
+int io_write(const char *path, const io_oiio_picture *p, int (*put)(void *, const void *, size_t), void *arg,
+	     char *error, size_t size)
 {
-	return guarded(error, size, [=] {
-		OIIO::ImageSpec spec(static_cast<int>(width), static_cast<int>(height),
-				     static_cast<int>(channels),
-				     bits == 8  ? OIIO::TypeDesc::UINT8 :
-				     bits == 16 ? OIIO::TypeDesc::UINT16 :
-						  OIIO::TypeDesc::FLOAT);
-
-		spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
-		spec.attribute("CompressionQuality", 95);
-		for (uint32_t i = 0; i < notes; i++)
-			spec.attribute(key[i], value[i]);
-		return do_write(path, spec, pixel, error, size);
-	});
+	return guarded(error, size, [=] { return do_write(path, p, put, arg, error, size); });
 }
 
 } // namespace

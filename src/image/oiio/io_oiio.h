@@ -27,6 +27,15 @@ struct io_oiio_header {
 	const char *const *name; /* of the channels; valid during the call of take */
 };
 
+struct io_oiio_picture {
+	uint32_t width, height, channels; /* 1 to 4 */
+	uint32_t bits;
+	int linear;
+	const float *pixel; /* as the file shall hold it; alpha, if there, is last and multiplied in */
+	const char *const *key, *const *value; /* notes */
+	uint32_t notes;
+};
+
 struct io_oiio {
 	uint32_t abi, size; /* IO_OIIO_ABI, sizeof(struct io_oiio) */
 	/* Colour comes multiplied by alpha. take() gives the memory for the samples, or NULL, when it
@@ -37,10 +46,12 @@ struct io_oiio {
 	 * is set to what it usually stores. */
 	int (*can_write)(const char *path, uint32_t *bits, int *linear, int *alpha, char *error,
 			 size_t error_size);
-	/* channels: 1 to 4. pixel: as the file shall hold it. Alpha, if there, is last and multiplied in. */
-	int (*write)(const char *path, uint32_t width, uint32_t height, uint32_t channels, uint32_t bits,
-		     int linear, const float *pixel, const char *const *key, const char *const *value,
-		     uint32_t notes, char *error, size_t error_size);
+	/* path: a file of the caller's with the right ending. Most formats leave it alone and give the file's
+	 * bytes to put(), which writes and flushes them and returns 0, or else write() ends with 2: libraries that write themselves may
+	 * overlook a full disk, or end the program over it. */
+	int (*write)(const char *path, const struct io_oiio_picture *,
+		     int (*put)(void *arg, const void *bytes, size_t n), void *arg, char *error,
+		     size_t error_size);
 };
 
 #ifdef __cplusplus

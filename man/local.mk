@@ -1,1 +1,2 @@
 dist_man_MANS += man/alidade.1
+dist_man_MANS += man/alidade-diff.1

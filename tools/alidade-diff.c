@@ -1,7 +1,8 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * alidade-diff: do two pictures show the same? Options, reading, printing; the comparing is src/image/diff.c.
+ * alidade-diff: do two pictures show the same? Options, reading, printing; the comparing is
+ * src/image/diff.c.
  */
 #include <config.h>
 
@@ -17,30 +18,50 @@
 #include "image/image.h"
 #include "image/out.h"
 
-/* As idiff's. Wrong usage is 1 there, like a warning; a script that treats it as anything but 0 is right. */
+/* As idiff's. Wrong usage is 1 there, like a warning; a script that treats it as anything but 0 is
+ * right. */
 enum { EXIT_OK = 0, EXIT_WARN = 1, EXIT_USAGE = 1, EXIT_FAIL = 2, EXIT_UNLIKE = 3, EXIT_FILE = 4 };
 
 enum {
-	KEY_ALLOW_FAILURES = OPTION_LONG_ONLY, KEY_ALLOW_NONFINITE, KEY_CHANNELS, KEY_CROP, KEY_FAIL,
-	KEY_FAIL_PERCENT, KEY_HARD_FAIL, KEY_HARD_WARN, KEY_JSON, KEY_LINEAR, KEY_MAX_MEAN, KEY_MAX_P99,
-	KEY_MAX_RMSE, KEY_PRINT_COMPLETION, KEY_SCALE, KEY_SRGB, KEY_VERSION, KEY_WARN, KEY_WARN_PERCENT
+	KEY_ALLOW_FAILURES = OPTION_LONG_ONLY,
+	KEY_ALLOW_NONFINITE,
+	KEY_CHANNELS,
+	KEY_CROP,
+	KEY_FAIL,
+	KEY_FAIL_PERCENT,
+	KEY_HARD_FAIL,
+	KEY_HARD_WARN,
+	KEY_JSON,
+	KEY_LINEAR,
+	KEY_MAX_MEAN,
+	KEY_MAX_P99,
+	KEY_MAX_RMSE,
+	KEY_PRINT_COMPLETION,
+	KEY_SCALE,
+	KEY_SRGB,
+	KEY_VERSION,
+	KEY_WARN,
+	KEY_WARN_PERCENT
 };
 
 static const struct option_spec diff_option[] = {
 	{ "channels", KEY_CHANNELS, OPTION_ARG, "WHICH", COMPLETE_WORDS, "all rgb",
-	  "all: both pictures must have the same channels; rgb: compare R, G and B alone; all is the default",
+	  "all: both pictures must have the same channels; rgb: compare R, G and B alone; all is "
+	  "the default",
 	  "What is compared" },
 	{ "crop", KEY_CROP, OPTION_ARG, "X,Y,W,H", COMPLETE_NOTHING, NULL,
 	  "only this part of both: left, top, width, height in pixels", NULL },
 	{ "linear", KEY_LINEAR, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
 	  "compare light, without limits, whatever the files hold", NULL },
 	{ "srgb", KEY_SRGB, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
-	  "compare along the sRGB curve, clamped to 0..1, whatever the files hold; the default unless both hold "
+	  "compare along the sRGB curve, clamped to 0..1, whatever the files hold; the default "
+	  "unless both hold "
 	  "light",
 	  NULL },
 
 	{ "fail", KEY_FAIL, OPTION_ARG, "VAL", COMPLETE_NOTHING, NULL,
-	  "a pixel fails if a channel differs by more than VAL, a number or a fraction as 1/255; 1e-6 is the "
+	  "a pixel fails if a channel differs by more than VAL, a number or a fraction as 1/255; "
+	  "1e-6 is the "
 	  "default",
 	  "Thresholds" },
 	{ "failpercent", KEY_FAIL_PERCENT, OPTION_ARG, "PERCENT", COMPLETE_NOTHING, NULL,
@@ -50,14 +71,16 @@ static const struct option_spec diff_option[] = {
 	{ "allowfailures", KEY_ALLOW_FAILURES, OPTION_ARG, "N", COMPLETE_NOTHING, NULL,
 	  "N pixels may fail or warn by any amount", NULL },
 	{ "warn", KEY_WARN, OPTION_ARG, "VAL", COMPLETE_NOTHING, NULL,
-	  "a pixel warns if a channel differs by more than VAL; 1e-6, where any pixel fails, is the default",
+	  "a pixel warns if a channel differs by more than VAL; 1e-6, where any pixel fails, is "
+	  "the default",
 	  NULL },
 	{ "warnpercent", KEY_WARN_PERCENT, OPTION_ARG, "PERCENT", COMPLETE_NOTHING, NULL,
 	  "warning if more than this share of the pixels warns; 0 is the default", NULL },
 	{ "hardwarn", KEY_HARD_WARN, OPTION_ARG, "VAL", COMPLETE_NOTHING, NULL,
 	  "warning if any channel of any pixel differs by more than VAL", NULL },
 	{ "max-mean", KEY_MAX_MEAN, OPTION_ARG, "VAL", COMPLETE_NOTHING, NULL,
-	  "failure if the mean signed error, of all or of one channel, is beyond VAL either way", NULL },
+	  "failure if the mean signed error, of all or of one channel, is beyond VAL either way",
+	  NULL },
 	{ "max-rmse", KEY_MAX_RMSE, OPTION_ARG, "VAL", COMPLETE_NOTHING, NULL,
 	  "failure if the root mean square error is above VAL", NULL },
 	{ "max-p99", KEY_MAX_P99, OPTION_ARG, "VAL", COMPLETE_NOTHING, NULL,
@@ -66,7 +89,8 @@ static const struct option_spec diff_option[] = {
 	  "NaN and infinity are no failure where both pictures have the same", NULL },
 
 	{ "output", 'o', OPTION_ARG, "FILE", COMPLETE_FILE, NULL,
-	  "write a picture of the absolute differences, magenta where a sample is not finite", "Reports" },
+	  "write a picture of the absolute differences, magenta where a sample is not finite",
+	  "Reports" },
 	{ "scale", KEY_SCALE, OPTION_ARG, "FACTOR", COMPLETE_NOTHING, NULL,
 	  "multiply the differences in that picture; 20 is the default", NULL },
 	{ "json", KEY_JSON, OPTION_MAYBE_ARG, "FILE", COMPLETE_FILE, NULL,
@@ -74,8 +98,10 @@ static const struct option_spec diff_option[] = {
 	{ "quiet", 'q', OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
 	  "print nothing but errors; the exit status tells", NULL },
 	{ "help", 'h', OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL, "print this and exit", NULL },
-	{ "version", KEY_VERSION, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL, "print the version and exit", NULL },
-	{ "print-completion", KEY_PRINT_COMPLETION, OPTION_ARG, "SHELL", COMPLETE_NOTHING, NULL, NULL, NULL },
+	{ "version", KEY_VERSION, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
+	  "print the version and exit", NULL },
+	{ "print-completion", KEY_PRINT_COMPLETION, OPTION_ARG, "SHELL", COMPLETE_NOTHING, NULL,
+	  NULL, NULL },
 	{ 0 },
 };
 
@@ -93,7 +119,8 @@ struct settings {
 	bool want_json, quiet, help, version;
 };
 
-static void print_message(void *arg, enum diag_level level, const struct diag_pos *pos, const char *text)
+static void print_message(void *arg, enum diag_level level, const struct diag_pos *pos,
+			  const char *text)
 {
 	const struct settings *s = arg;
 	char line[4096];
@@ -104,7 +131,8 @@ static void print_message(void *arg, enum diag_level level, const struct diag_po
 	fprintf(stderr, "alidade-diff: %s\n", line);
 }
 
-static enum status wrong(struct diag *d, const struct option_spec *o, const char *value, const char *want)
+static enum status wrong(struct diag *d, const struct option_spec *o, const char *value,
+			 const char *want)
 {
 	return diag_fail(d, STATUS_USAGE, NULL, "--%s=%s: expected %s", o->name, value, want);
 }
@@ -161,13 +189,15 @@ static double *threshold_of(struct diff_options *d, int key)
 	}
 }
 
-static enum status set_option(void *arg, const struct option_spec *o, const char *value, struct diag *d)
+static enum status set_option(void *arg, const struct option_spec *o, const char *value,
+			      struct diag *d)
 {
 	struct settings *s = arg;
 	double *threshold = threshold_of(&s->diff, o->key);
 
 	if (threshold) {
-		if (!number(value, o->key == KEY_FAIL_PERCENT || o->key == KEY_WARN_PERCENT ? 100 : 1e300,
+		if (!number(value,
+			    o->key == KEY_FAIL_PERCENT || o->key == KEY_WARN_PERCENT ? 100 : 1e300,
 			    threshold))
 			return wrong(d, o, value, "a number from 0 on, as in 0.004 or 1/255");
 		if (o->key == KEY_WARN || o->key == KEY_WARN_PERCENT || o->key == KEY_HARD_WARN)
@@ -177,10 +207,12 @@ static enum status set_option(void *arg, const struct option_spec *o, const char
 	switch (o->key) {
 	case KEY_CHANNELS:
 		s->diff.rgb_only = !strcmp(value, "rgb");
-		return s->diff.rgb_only || !strcmp(value, "all") ? STATUS_OK : wrong(d, o, value, "all or rgb");
+		return s->diff.rgb_only || !strcmp(value, "all") ? STATUS_OK
+								 : wrong(d, o, value, "all or rgb");
 	case KEY_CROP:
-		return set_crop(&s->diff, value) ? STATUS_OK :
-						   wrong(d, o, value, "X,Y,W,H in pixels, as in 0,0,64,48");
+		return set_crop(&s->diff, value)
+			       ? STATUS_OK
+			       : wrong(d, o, value, "X,Y,W,H in pixels, as in 0,0,64,48");
 	case KEY_ALLOW_FAILURES:
 		return option_integer(value, 0, UINT64_MAX, &s->diff.allow_failures) ?
 			       STATUS_OK :
@@ -201,8 +233,8 @@ static enum status set_option(void *arg, const struct option_spec *o, const char
 	return STATUS_OK;
 }
 
-/* idiff writes its long options with one dash: -fail is --fail. What was changed is kept in memory of its own
- * until the program ends. */
+/* idiff writes its long options with one dash: -fail is --fail. What was changed is kept in memory
+ * of its own until the program ends. */
 static bool double_dashes(int argc, char **argv)
 {
 	for (int i = 1; i < argc && strcmp(argv[i], "--"); i++) {
@@ -231,7 +263,8 @@ static int file_failed(const char *path)
 }
 
 /* The figures to a file or to standard output. */
-static int report(const struct settings *s, const struct diff_result *r, char **name, struct diag *diag)
+static int report(const struct settings *s, const struct diff_result *r, char **name,
+		  struct diag *diag)
 {
 	struct image_out out;
 	struct json json;
@@ -266,9 +299,11 @@ static int compare(const struct settings *s, char **name, struct diag *diag)
 	int code = EXIT_FILE;
 
 	mem_book_init(&book, 0);
-	if (image_read(&image[0], name[0], &book, NULL, diag) || image_read(&image[1], name[1], &book, NULL, diag))
+	if (image_read(&image[0], name[0], &book, NULL, diag) ||
+	    image_read(&image[1], name[1], &book, NULL, diag))
 		goto out;
-	st = image_diff(&image[0], &image[1], &s->diff, &r, s->output ? &picture : NULL, &book, diag);
+	st = image_diff(&image[0], &image[1], &s->diff, &r, s->output ? &picture : NULL, &book,
+			diag);
 	if (st) {
 		code = st == STATUS_USAGE ? EXIT_USAGE : EXIT_FILE;
 		goto out;
@@ -294,7 +329,8 @@ int main(int argc, char **argv)
 	int operand;
 
 	diff_options_init(&s.diff);
-	if (!double_dashes(argc, argv) || options_parse(&program, argc, argv, set_option, &s, &operand, &diag))
+	if (!double_dashes(argc, argv) ||
+	    options_parse(&program, argc, argv, set_option, &s, &operand, &diag))
 		return EXIT_USAGE;
 	if (s.help) {
 		options_help(&program, stdout);
@@ -302,11 +338,13 @@ int main(int argc, char **argv)
 		printf("alidade-diff %s\n", PACKAGE_VERSION);
 	} else if (s.completion) {
 		if (!options_completion(&program, s.completion, stdout)) {
-			diag_report(&diag, DIAG_ERROR, NULL, "completion is made for bash, zsh and fish");
+			diag_report(&diag, DIAG_ERROR, NULL,
+				    "completion is made for bash, zsh and fish");
 			return EXIT_USAGE;
 		}
 	} else if (argc - operand != 2) {
-		diag_report(&diag, DIAG_ERROR, NULL, "two pictures are compared, and %d were named; see --help",
+		diag_report(&diag, DIAG_ERROR, NULL,
+			    "two pictures are compared, and %d were named; see --help",
 			    argc - operand);
 		return EXIT_USAGE;
 	} else {

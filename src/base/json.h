@@ -3,10 +3,11 @@
  *
  * Writing JSON (RFC 8259): reports, progress lines, figures of a comparison.
  *
- * Values are written in the order of the calls, to any stdio stream (open_memstream() for a string).
- * Inside an object each value has a key; inside an array, and at the top, the key is NULL. Numbers are the
- * shortest that read back to the same double; NaN and Inf, which JSON lacks, become null. Text is taken
- * as UTF-8; bytes that are not are written as U+FFFD, so that the result is always valid.
+ * Values are written in the order of the calls, to any stdio stream (open_memstream() for a
+ * string). Inside an object each value has a key; inside an array, and at the top, the key is NULL.
+ * Numbers are the shortest that read back to the same double; NaN and Inf, which JSON lacks, become
+ * null. Text is taken as UTF-8; bytes that are not are written as U+FFFD, so that the result is
+ * always valid.
  */
 #ifndef ALIDADE_BASE_JSON_H
 #define ALIDADE_BASE_JSON_H
@@ -41,7 +42,8 @@ void json_uint(struct json *, const char *key, uint64_t value);
 void json_int(struct json *, const char *key, int64_t value);
 void json_bool(struct json *, const char *key, bool value);
 void json_null(struct json *, const char *key);
-/* Ends the line and flushes. false: the stream has failed, or the calls did not make a whole value. */
+/* Ends the line and flushes. false: the stream has failed, or the calls did not make a whole
+ * value. */
 bool json_finish(struct json *);
 
 #endif

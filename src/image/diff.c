@@ -10,8 +10,8 @@
 
 #include "image/format.h"
 
-/* Samples are stored in single precision: two that differ by exactly a threshold must not exceed it by their
- * rounding. */
+/* Samples are stored in single precision: two that differ by exactly a threshold must not exceed it
+ * by their rounding. */
 #define SLACK 0x1p-23
 
 struct comparing {
@@ -35,7 +35,8 @@ void diff_options_init(struct diff_options *o)
 	};
 }
 
-static void reason(struct diff_result *r, enum diff_verdict verdict, const char *fmt, ...) DIAG_PRINTF(3, 4);
+static void reason(struct diff_result *r, enum diff_verdict verdict, const char *fmt, ...)
+	DIAG_PRINTF(3, 4);
 
 static void reason(struct diff_result *r, enum diff_verdict verdict, const char *fmt, ...)
 {
@@ -76,7 +77,8 @@ static void match_channels(struct comparing *c)
 		if (!wanted(c->opt, a->name[i]))
 			continue;
 		if (k < 0) {
-			reason(r, DIFF_UNLIKE, "only the first picture has a channel %s", a->name[i]);
+			reason(r, DIFF_UNLIKE, "only the first picture has a channel %s",
+			       a->name[i]);
 			continue;
 		}
 		c->channel[0][r->channels] = i;
@@ -85,7 +87,8 @@ static void match_channels(struct comparing *c)
 	}
 	for (uint32_t i = 0; i < b->channels; i++) {
 		if (wanted(c->opt, b->name[i]) && find(a, b->name[i]) < 0)
-			reason(r, DIFF_UNLIKE, "only the second picture has a channel %s", b->name[i]);
+			reason(r, DIFF_UNLIKE, "only the second picture has a channel %s",
+			       b->name[i]);
 	}
 	if (!r->channels && r->verdict == DIFF_SAME)
 		reason(r, DIFF_UNLIKE, "the pictures have no colour channels");
@@ -98,7 +101,8 @@ static enum status match_sizes(struct comparing *c, struct diag *diag)
 	struct diff_result *r = c->result;
 
 	if (a->width != b->width || a->height != b->height) {
-		reason(r, DIFF_UNLIKE, "the sizes differ: %" PRIu32 " x %" PRIu32 " and %" PRIu32 " x %" PRIu32,
+		reason(r, DIFF_UNLIKE,
+		       "the sizes differ: %" PRIu32 " x %" PRIu32 " and %" PRIu32 " x %" PRIu32,
 		       a->width, a->height, b->width, b->height);
 		return STATUS_OK;
 	}
@@ -109,9 +113,10 @@ static enum status match_sizes(struct comparing *c, struct diag *diag)
 	if ((uint64_t)o->crop_x + o->crop_width > a->width ||
 	    (uint64_t)o->crop_y + o->crop_height > a->height || !o->crop_height)
 		return diag_fail(diag, STATUS_USAGE, NULL,
-				 "the part to compare, %" PRIu32 " x %" PRIu32 " at %" PRIu32 ",%" PRIu32
-				 ", is not within the pictures' %" PRIu32 " x %" PRIu32,
-				 o->crop_width, o->crop_height, o->crop_x, o->crop_y, a->width, a->height);
+				 "the part to compare, %" PRIu32 " x %" PRIu32 " at %" PRIu32
+				 ",%" PRIu32 ", is not within the pictures' %" PRIu32 " x %" PRIu32,
+				 o->crop_width, o->crop_height, o->crop_x, o->crop_y, a->width,
+				 a->height);
 	c->x0 = o->crop_x;
 	c->y0 = o->crop_y;
 	r->width = o->crop_width;
@@ -123,7 +128,8 @@ static float raw(const struct comparing *c, int side, uint32_t x, uint32_t y, ui
 {
 	const struct image *im = c->image[side];
 
-	return im->pixel[((size_t)(c->y0 + y) * im->width + c->x0 + x) * im->channels + c->channel[side][i]];
+	return im->pixel[((size_t)(c->y0 + y) * im->width + c->x0 + x) * im->channels +
+			 c->channel[side][i]];
 }
 
 /* Both NaN, or the same infinity. */
@@ -200,7 +206,8 @@ static void compare_row(struct comparing *c, uint32_t y)
 	struct image_form form = { r->encoding, true };
 
 	for (int side = 0; side < 2; side++)
-		image_row(c->image[side], c->y0 + y, c->channel[side], r->channels, form, c->row[side]);
+		image_row(c->image[side], c->y0 + y, c->channel[side], r->channels, form,
+			  c->row[side]);
 	for (uint32_t x = 0; x < r->width; x++) {
 		struct pixel p = { 0 };
 
@@ -218,8 +225,8 @@ static void compare_row(struct comparing *c, uint32_t y)
 	}
 }
 
-/* The k-th smallest (from 0) of n floats that are not negative: those sort as their bits do, so two passes of
- * counting find it. */
+/* The k-th smallest (from 0) of n floats that are not negative: those sort as their bits do, so two
+ * passes of counting find it. */
 static double select_float(const float *v, uint64_t n, uint64_t k, uint64_t *count)
 {
 	uint32_t high = 0, bits;
@@ -285,11 +292,12 @@ static void judge_figures(struct diff_result *r, const struct diff_options *o)
 		reason(r, DIFF_FAIL, "the mean error %+.6g is beyond %.6g", r->mean, o->max_mean);
 	for (uint32_t i = 0; i < r->channels; i++) {
 		if (fabs(r->channel_mean[i]) > o->max_mean)
-			reason(r, DIFF_FAIL, "the mean error of %s, %+.6g, is beyond %.6g", r->name[i],
-			       r->channel_mean[i], o->max_mean);
+			reason(r, DIFF_FAIL, "the mean error of %s, %+.6g, is beyond %.6g",
+			       r->name[i], r->channel_mean[i], o->max_mean);
 	}
 	if (r->p99 > o->max_p99 + SLACK)
-		reason(r, DIFF_FAIL, "1 %% of the pixels differ by %.6g or more; at most %.6g is allowed", r->p99,
+		reason(r, DIFF_FAIL,
+		       "1 %% of the pixels differ by %.6g or more; at most %.6g is allowed", r->p99,
 		       o->max_p99);
 }
 
@@ -302,26 +310,32 @@ static void judge(struct diff_result *r, const struct diff_options *o)
 		reason(r, DIFF_FAIL, "%" PRIu64 " pixels are not finite (NaN or Inf)%s", bad,
 		       o->allow_nonfinite ? " in one picture only" : "");
 	if (over && r->over_fail > o->allow_failures)
-		reason(r, DIFF_FAIL, "%" PRIu64 " pixels (%.4g %%) differ by more than %.6g; %.4g %% may", r->over_fail,
-		       percent(r, r->over_fail), o->fail, o->fail_percent);
+		reason(r, DIFF_FAIL,
+		       "%" PRIu64 " pixels (%.4g %%) differ by more than %.6g; %.4g %% may",
+		       r->over_fail, percent(r, r->over_fail), o->fail, o->fail_percent);
 	if (r->max > o->hard_fail + SLACK)
-		reason(r, DIFF_FAIL, "the largest difference, %.6g, is above %.6g", r->max, o->hard_fail);
+		reason(r, DIFF_FAIL, "the largest difference, %.6g, is above %.6g", r->max,
+		       o->hard_fail);
 	judge_figures(r, o);
 	if (r->verdict == DIFF_FAIL || (!r->over_fail && !o->warn_always))
 		return;
-	if ((double)r->over_warn > o->warn_percent / 100 * (double)r->pixels && r->over_warn > o->allow_failures)
-		reason(r, DIFF_WARN, "%" PRIu64 " pixels (%.4g %%) differ by more than %.6g; %.4g %% may", r->over_warn,
-		       percent(r, r->over_warn), o->warn, o->warn_percent);
+	if ((double)r->over_warn > o->warn_percent / 100 * (double)r->pixels &&
+	    r->over_warn > o->allow_failures)
+		reason(r, DIFF_WARN,
+		       "%" PRIu64 " pixels (%.4g %%) differ by more than %.6g; %.4g %% may",
+		       r->over_warn, percent(r, r->over_warn), o->warn, o->warn_percent);
 	if (r->max > o->hard_warn + SLACK)
-		reason(r, DIFF_WARN, "the largest difference, %.6g, is above %.6g", r->max, o->hard_warn);
+		reason(r, DIFF_WARN, "the largest difference, %.6g, is above %.6g", r->max,
+		       o->hard_warn);
 }
 
 static enum image_encoding space_of(const struct comparing *c)
 {
 	if (c->opt->space != DIFF_STORED)
 		return c->opt->space == DIFF_LINEAR ? IMAGE_LINEAR : IMAGE_SRGB;
-	return c->image[0]->encoding == IMAGE_LINEAR && c->image[1]->encoding == IMAGE_LINEAR ? IMAGE_LINEAR :
-												 IMAGE_SRGB;
+	return c->image[0]->encoding == IMAGE_LINEAR && c->image[1]->encoding == IMAGE_LINEAR
+		       ? IMAGE_LINEAR
+		       : IMAGE_SRGB;
 }
 
 static enum status compare(struct comparing *c, struct mem_book *book, struct diag *diag)
@@ -336,14 +350,16 @@ static enum status compare(struct comparing *c, struct mem_book *book, struct di
 	}
 	c->worst = mem_alloc(book, "pictures", r->pixels * sizeof(float));
 	if (!c->worst)
-		return diag_no_memory(diag, "a picture of the differences", r->pixels * sizeof(float));
+		return diag_no_memory(diag, "a picture of the differences",
+				      r->pixels * sizeof(float));
 	for (uint32_t y = 0; y < r->height; y++)
 		compare_row(c, y);
 	return summarise(c, book, diag);
 }
 
 enum status image_diff(const struct image *a, const struct image *b, const struct diff_options *opt,
-		       struct diff_result *r, struct image *picture, struct mem_book *book, struct diag *diag)
+		       struct diff_result *r, struct image *picture, struct mem_book *book,
+		       struct diag *diag)
 {
 	struct comparing c = { .image = { a, b }, .opt = opt, .result = r, .picture = picture };
 	enum status st;

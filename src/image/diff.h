@@ -3,9 +3,9 @@
  *
  * Comparing two pictures, so that a machine can decide whether they are the same.
  *
- * Differences are B - A, alpha multiplied in, in one encoding for both. Thresholds named as idiff's mean what
- * they mean there, but a sample that is NaN or infinite is always a failure unless it is allowed, and
- * hard_fail is looked at whatever fail is.
+ * Differences are B - A, alpha multiplied in, in one encoding for both. Thresholds named as idiff's
+ * mean what they mean there, but a sample that is NaN or infinite is always a failure unless it is
+ * allowed, and hard_fail is looked at whatever fail is.
  */
 #ifndef ALIDADE_IMAGE_DIFF_H
 #define ALIDADE_IMAGE_DIFF_H
@@ -30,7 +30,8 @@ struct diff_options {
 	bool warn_always; /* also if no pixel exceeds fail, when idiff does not look at warn */
 	double hard_fail, hard_warn; /* no pixel may */
 	uint64_t allow_failures; /* pixels that may exceed fail by any amount */
-	double max_rms, max_mean, max_p99; /* Inf: no matter; mean: of any channel, without its sign */
+	double max_rms, max_p99; /* Inf: no matter */
+	double max_mean; /* of all or any channel, without its sign */
 	double scale; /* of the picture of the differences */
 };
 
@@ -49,7 +50,8 @@ struct diff_result {
 	uint64_t nonfinite_any; /* in either */
 	uint64_t nonfinite_unlike; /* pixels with such a sample in only one, or another one */
 	double mean, rms, psnr, p99, max; /* psnr for a peak of 1; Inf if equal */
-	double channel_mean[IMAGE_CHANNELS], channel_rms[IMAGE_CHANNELS], channel_max[IMAGE_CHANNELS];
+	double channel_mean[IMAGE_CHANNELS], channel_rms[IMAGE_CHANNELS],
+		channel_max[IMAGE_CHANNELS];
 	uint32_t max_x, max_y, max_channel; /* place in the whole picture */
 	double max_sample[2]; /* what A and B have there */
 	uint64_t over_fail, over_warn; /* pixels */
@@ -58,14 +60,17 @@ struct diff_result {
 };
 
 void diff_options_init(struct diff_options *); /* idiff's defaults: fail and warn 1e-6 */
-/* STATUS_OK: result->verdict tells; anything else: it could not be done, and diag says why. picture may be NULL;
- * else it gets the amplified absolute differences, magenta where a sample is not finite, to be released. */
+/* STATUS_OK: result->verdict tells; anything else: it could not be done, and diag says why. picture
+ * may be NULL; else it gets the amplified absolute differences, magenta where a sample is not
+ * finite, to be released. */
 enum status image_diff(const struct image *a, const struct image *b, const struct diff_options *,
-		       struct diff_result *, struct image *picture, struct mem_book *, struct diag *);
+		       struct diff_result *, struct image *picture, struct mem_book *,
+		       struct diag *);
 
-void diff_print(const struct diff_result *, const struct diff_options *, const char *a, const char *b, FILE *);
+void diff_print(const struct diff_result *, const struct diff_options *, const char *a,
+		const char *b, FILE *);
 /* One object; ended by the caller's json_finish(). */
-void diff_json(const struct diff_result *, const struct diff_options *, const char *a, const char *b,
-	       struct json *);
+void diff_json(const struct diff_result *, const struct diff_options *, const char *a,
+	       const char *b, struct json *);
 
 #endif

@@ -20,8 +20,8 @@ static double percent(const struct diff_result *r, uint64_t n)
 	return r->pixels ? 100.0 * (double)n / (double)r->pixels : 0;
 }
 
-static void print_channels(const struct diff_result *r, const char *title, const char *fmt, double all,
-			   const double *value, FILE *out)
+static void print_channels(const struct diff_result *r, const char *title, const char *fmt,
+			   double all, const double *value, FILE *out)
 {
 	fprintf(out, "  %-14s ", title);
 	fprintf(out, fmt, all);
@@ -32,9 +32,11 @@ static void print_channels(const struct diff_result *r, const char *title, const
 	fputc('\n', out);
 }
 
-static void print_over(const struct diff_result *r, const char *title, double threshold, uint64_t n, FILE *out)
+static void print_over(const struct diff_result *r, const char *title, double threshold, uint64_t n,
+		       FILE *out)
 {
-	fprintf(out, "  %-14s %" PRIu64 " pixels (%.4f %%) by more than %g\n", title, n, percent(r, n), threshold);
+	fprintf(out, "  %-14s %" PRIu64 " pixels (%.4f %%) by more than %g\n", title, n,
+		percent(r, n), threshold);
 }
 
 static void print_figures(const struct diff_result *r, const struct diff_options *o, FILE *out)
@@ -43,28 +45,31 @@ static void print_figures(const struct diff_result *r, const struct diff_options
 	print_channels(r, "RMS error", "%.8f", r->rms, r->channel_rms, out);
 	print_channels(r, "largest", "%.8f", r->max, r->channel_max, out);
 	if (r->max > 0)
-		fprintf(out, "  %-14s at %" PRIu32 ",%" PRIu32 " in %s: %.8f, %.8f\n", "", r->max_x, r->max_y,
-			r->name[r->max_channel], r->max_sample[0], r->max_sample[1]);
+		fprintf(out, "  %-14s at %" PRIu32 ",%" PRIu32 " in %s: %.8f, %.8f\n", "", r->max_x,
+			r->max_y, r->name[r->max_channel], r->max_sample[0], r->max_sample[1]);
 	fprintf(out, "  %-14s %.8f\n", "p99", r->p99);
 	fprintf(out, "  %-14s %.2f dB\n", "PSNR", r->psnr);
 	print_over(r, "differ", o->fail, r->over_fail, out);
 	if (o->warn < o->fail || o->warn > o->fail)
 		print_over(r, "", o->warn, r->over_warn, out);
-	fprintf(out, "  %-14s %" PRIu64 " pixels, %" PRIu64 " pixels\n", "not finite", r->nonfinite[0],
-		r->nonfinite[1]);
+	fprintf(out, "  %-14s %" PRIu64 " pixels, %" PRIu64 " pixels\n", "not finite",
+		r->nonfinite[0], r->nonfinite[1]);
 }
 
-void diff_print(const struct diff_result *r, const struct diff_options *o, const char *a, const char *b, FILE *out)
+void diff_print(const struct diff_result *r, const struct diff_options *o, const char *a,
+		const char *b, FILE *out)
 {
 	static const char *const word[] = { "ok", "warning", "FAILURE", "CANNOT BE COMPARED" };
 
 	fprintf(out, "%s\n%s\n", a, b);
 	if (r->verdict != DIFF_UNLIKE) {
-		fprintf(out, "  %-14s %" PRIu32 " x %" PRIu32 " pixels,", "compared", r->width, r->height);
+		fprintf(out, "  %-14s %" PRIu32 " x %" PRIu32 " pixels,", "compared", r->width,
+			r->height);
 		for (uint32_t i = 0; i < r->channels; i++)
 			fprintf(out, " %s", r->name[i]);
 		fprintf(out, ", %s\n",
-			r->encoding == IMAGE_LINEAR ? "linear" : "along the sRGB curve, within 0..1");
+			r->encoding == IMAGE_LINEAR ? "linear"
+						    : "along the sRGB curve, within 0..1");
 		print_figures(r, o, out);
 	}
 	for (uint32_t i = 0; i < r->reasons; i++)
@@ -131,8 +136,8 @@ static void json_figures(const struct diff_result *r, struct json *j)
 	json_uint(j, "nonfinite_unlike", r->nonfinite_unlike);
 }
 
-void diff_json(const struct diff_result *r, const struct diff_options *o, const char *a, const char *b,
-	       struct json *j)
+void diff_json(const struct diff_result *r, const struct diff_options *o, const char *a,
+	       const char *b, struct json *j)
 {
 	json_object(j, NULL);
 	json_string(j, "a", a);

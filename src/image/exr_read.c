@@ -1,8 +1,8 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * Reading OpenEXR through OpenEXRCore: the first part, scan lines or tiles (full resolution), half, float and
- * unsigned samples, any data window, which is laid into the display window.
+ * Reading OpenEXR through OpenEXRCore: the first part, scan lines or tiles (full resolution), half,
+ * float and unsigned samples, any data window, which is laid into the display window.
  */
 #ifdef HAVE_CONFIG_H
 #include <config.h>
@@ -126,9 +126,10 @@ static enum status read_channels(struct reader *r)
 		const exr_attr_chlist_entry_t *e = &list->entries[i];
 
 		if (e->name.length <= 0 || (size_t)e->name.length >= sizeof(im->name[i]))
-			return diag_fail(r->in->diag, STATUS_SCENE, &r->in->pos,
-					 "the name of channel \"%.200s\" is empty or longer than %zu bytes",
-					 e->name.str, sizeof(im->name[i]) - 1);
+			return diag_fail(
+				r->in->diag, STATUS_SCENE, &r->in->pos,
+				"the name of channel \"%.200s\" is empty or longer than %zu bytes",
+				e->name.str, sizeof(im->name[i]) - 1);
 		if (e->x_sampling != 1 || e->y_sampling != 1)
 			return refuse(r, "a channel with fewer samples than pixels");
 		memset(im->name[i], 0, sizeof(im->name[i]));
@@ -141,7 +142,8 @@ static enum status read_channels(struct reader *r)
 	return STATUS_OK;
 }
 
-/* From the decoded chunk, whose first pixel is x0, y0 of the data window's space, into the image. */
+/* From the decoded chunk, whose first pixel is x0, y0 of the data window's space, into the
+ * image. */
 static void place(struct reader *r, int64_t x0, int64_t y0, uint32_t width, uint32_t height)
 {
 	struct image *im = r->image;
@@ -167,13 +169,15 @@ static void place(struct reader *r, int64_t x0, int64_t y0, uint32_t width, uint
 					memcpy(&u, &v, sizeof(u));
 					v = (float)u;
 				}
-				im->pixel[((size_t)y * im->width + (size_t)x) * im->channels + c] = v;
+				im->pixel[((size_t)y * im->width + (size_t)x) * im->channels + c] =
+					v;
 			}
 		}
 	}
 }
 
-static enum status decode_chunk(struct reader *r, const exr_chunk_info_t *info, int64_t x0, int64_t y0)
+static enum status decode_chunk(struct reader *r, const exr_chunk_info_t *info, int64_t x0,
+				int64_t y0)
 {
 	uint32_t width = (uint32_t)info->width, height = (uint32_t)info->height;
 	size_t plane = mem_product(mem_product(width, height), sizeof(float));
@@ -195,7 +199,8 @@ static enum status decode_chunk(struct reader *r, const exr_chunk_info_t *info, 
 	for (int i = 0; i < r->pipe.channel_count; i++) {
 		exr_coding_channel_info_t *c = &r->pipe.channels[i];
 
-		c->user_data_type = c->data_type == EXR_PIXEL_UINT ? EXR_PIXEL_UINT : EXR_PIXEL_FLOAT;
+		c->user_data_type =
+			c->data_type == EXR_PIXEL_UINT ? EXR_PIXEL_UINT : EXR_PIXEL_FLOAT;
 		c->user_bytes_per_element = 4;
 		c->user_pixel_stride = 4;
 		c->user_line_stride = (int32_t)(width * 4);
@@ -271,8 +276,8 @@ static enum status read_part(struct reader *r)
 	if (storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED)
 		return refuse(r, "a deep picture (many samples a pixel)");
 	if (parts > 1)
-		diag_report(in->diag, DIAG_WARNING, &in->pos, "the file has %d parts; only the first is read",
-			    parts);
+		diag_report(in->diag, DIAG_WARNING, &in->pos,
+			    "the file has %d parts; only the first is read", parts);
 	st = read_channels(r);
 	if (st)
 		return st;
@@ -313,7 +318,8 @@ enum status exr_read(struct image *im, struct image_in *in)
 {
 	(void)im;
 	return diag_fail(in->diag, STATUS_SCENE, &in->pos,
-			 "this Alidade was built without OpenEXR and cannot read .exr: install libopenexr-dev and "
+			 "this Alidade was built without OpenEXR and cannot read .exr: install "
+			 "libopenexr-dev and "
 			 "build it again, or convert the picture to .pfm");
 }
 

@@ -1,8 +1,9 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * OpenEXR (the "OpenEXR File Layout" document) through OpenEXRCore, its C library: one part of scan lines, ZIP,
- * layers named LAYER.CHANNEL, notes as string attributes. Nothing in the file depends on time or machine.
+ * OpenEXR (the "OpenEXR File Layout" document) through OpenEXRCore, its C library: one part of scan
+ * lines, ZIP, layers named LAYER.CHANNEL, notes as string attributes. Nothing in the file depends
+ * on time or machine.
  */
 #ifdef HAVE_CONFIG_H
 #include <config.h>
@@ -41,8 +42,8 @@ static void on_error(exr_const_context_t exr, exr_result_t code, const char *tex
 	(void)text;
 }
 
-static int64_t on_write(exr_const_context_t exr, void *data, const void *bytes, uint64_t n, uint64_t offset,
-			exr_stream_error_func_ptr_t error)
+static int64_t on_write(exr_const_context_t exr, void *data, const void *bytes, uint64_t n,
+			uint64_t offset, exr_stream_error_func_ptr_t error)
 {
 	struct writer *w = data;
 	const char *p = bytes;
@@ -51,7 +52,8 @@ static int64_t on_write(exr_const_context_t exr, void *data, const void *bytes, 
 	(void)exr;
 	(void)error;
 	while (done < n) {
-		ssize_t k = pwrite(fileno(w->job->out->file), p + done, n - done, (off_t)(offset + done));
+		ssize_t k = pwrite(fileno(w->job->out->file), p + done, n - done,
+				   (off_t)(offset + done));
 
 		if (k > 0) {
 			done += (uint64_t)k;
@@ -87,7 +89,8 @@ static exr_result_t add_header(struct writer *w)
 							 (int32_t)im->height, EXR_COMPRESSION_ZIP);
 	for (uint32_t i = 0; i < im->channels && !rv; i++) {
 		w->half[i] = job->bits == 16 && is_light(im->name[i]);
-		rv = exr_add_channel(w->exr, part, im->name[i], w->half[i] ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
+		rv = exr_add_channel(w->exr, part, im->name[i],
+				     w->half[i] ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
 				     EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
 	}
 	for (uint32_t i = 0; i < job->notes && !rv; i++)
@@ -105,7 +108,8 @@ static void fill_chunk(struct writer *w, uint32_t y, uint32_t lines)
 	for (uint32_t l = 0; l < lines; l++) {
 		image_row(im, y + l, NULL, im->channels, form, w->row);
 		for (uint32_t c = 0; c < im->channels; c++) {
-			unsigned char *to = w->chunk + ((size_t)c * LINES + l) * width * sizeof(float);
+			unsigned char *to =
+				w->chunk + ((size_t)c * LINES + l) * width * sizeof(float);
 
 			for (size_t x = 0; x < width; x++) {
 				float v = (float)w->row[x * im->channels + c];
@@ -167,14 +171,16 @@ static enum status check_names(const struct image_job *job)
 		for (uint32_t k = 0; k < i; k++) {
 			if (!strcmp(im->name[i], im->name[k]))
 				return diag_fail(job->diag, STATUS_FAILED, &pos,
-						 "two channels of the picture are named \"%s\"", im->name[i]);
+						 "two channels of the picture are named \"%s\"",
+						 im->name[i]);
 		}
 		if (!im->name[i][0])
 			return diag_fail(job->diag, STATUS_FAILED, &pos,
 					 "channel %u of the picture has no name", i + 1);
 	}
 	if (im->width > INT32_MAX / sizeof(float))
-		return diag_fail(job->diag, STATUS_FAILED, &pos, "the picture is too wide for .exr");
+		return diag_fail(job->diag, STATUS_FAILED, &pos,
+				 "the picture is too wide for .exr");
 	return STATUS_OK;
 }
 
@@ -216,7 +222,8 @@ enum status exr_write(const struct image_job *job)
 		if (w.failed)
 			st = STATUS_FAILED;
 		else if (rv)
-			st = diag_fail(job->diag, STATUS_FAILED, &pos, "cannot write the picture: %s",
+			st = diag_fail(job->diag, STATUS_FAILED, &pos,
+				       "cannot write the picture: %s",
 				       exr_get_default_error_message(rv));
 	} else {
 		st = diag_no_memory(job->diag, "rows of a picture", n * LINES * sizeof(float));
@@ -233,7 +240,8 @@ enum status exr_write(const struct image_job *job)
 	struct diag_pos pos = { .file = job->out->path };
 
 	return diag_fail(job->diag, STATUS_USAGE, &pos,
-			 "this Alidade was built without OpenEXR: install libopenexr-dev and build it again, "
+			 "this Alidade was built without OpenEXR: install libopenexr-dev and build "
+			 "it again, "
 			 "or write .pfm (float) or .png");
 }
 

@@ -11,8 +11,8 @@
 #include "image/image.h"
 #include "image/out.h"
 
-/* A file being read. Its first two bytes are read already, to choose the format by: standard input can't be
- * wound back. */
+/* A file being read. Its first two bytes are read already, to choose the format by: standard input
+ * can't be wound back. */
 struct image_in {
 	FILE *file;
 	unsigned char magic[2];
@@ -47,14 +47,17 @@ enum status oiio_write(const struct image_job *);
 /* Is the module there, and does it write files of that ending? */
 enum status oiio_can_write(const char *path, uint32_t bits, struct diag *);
 
-/* Checks the size that a file's header claims against the limits, then takes memory for it, not cleared: the
- * pages of a lying header are never touched. Names of 1 to 4 channels are set to Y, YA, RGB, RGBA. */
-enum status image_take(struct image *, struct image_in *, uint64_t width, uint64_t height, uint64_t channels);
+/* Checks the size that a file's header claims against the limits, then takes memory for it, not
+ * cleared: the pages of a lying header are never touched. Names of 1 to 4 channels are set to Y,
+ * YA, RGB, RGBA. */
+enum status image_take(struct image *, struct image_in *, uint64_t width, uint64_t height,
+		       uint64_t channels);
 /* "the file ends early" or the stream's error. */
 enum status image_truncated(struct image_in *);
 
-/* Which channels a display format stores: Y, Y A, R G B or R G B A, those without a layer. Others are left out
- * with a warning, alpha silently if the format has none (the picture then stands on black). */
+/* Which channels a display format stores: Y, Y A, R G B or R G B A, those without a layer. Others
+ * are left out with a warning, alpha silently if the format has none (the picture then stands on
+ * black). */
 struct image_pick {
 	uint32_t count;
 	uint32_t channel[4];
@@ -69,11 +72,12 @@ struct image_form {
 	bool premultiplied;
 };
 
-/* Row y of count channels, each sample in that form; in double, so that it is rounded once only. channel
- * NULL: all of them in order. */
+/* Row y of count channels, each sample in that form; in double, so that it is rounded once only.
+ * channel NULL: all of them in order. */
 void image_row(const struct image *, uint32_t y, const uint32_t *channel, uint32_t count,
 	       struct image_form form, double *out);
-/* count samples as 8 or 16 bit (most significant byte first), rounded to nearest; below 0 and NaN give 0. */
+/* count samples as 8 or 16 bit (most significant byte first), rounded to nearest; below 0 and NaN
+ * give 0. */
 void image_quantise(const double *sample, size_t count, uint32_t bits, unsigned char *out);
 /* R, G, B of any layer, Y of none. */
 bool image_is_colour(const char *name);

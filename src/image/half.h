@@ -12,8 +12,8 @@
 
 #define HALF_MAX 65504.0f
 
-/* Rounded to nearest, ties to even. A finite value beyond the range becomes the greatest finite half: a
- * bright lamp must not turn into an infinity by being saved. NaN stays NaN. */
+/* Rounded to nearest, ties to even. A finite value beyond the range becomes the greatest finite
+ * half: a bright lamp must not turn into an infinity by being saved. NaN stays NaN. */
 static inline uint16_t half_from_float(float value)
 {
 	uint32_t bits, sign, magnitude, mantissa, shift, rest, half;

@@ -77,13 +77,15 @@ static enum status check_format(const char *path, uint32_t *bits, const struct f
 
 	*out = f;
 	if (!f)
-		return diag_fail(diag, STATUS_USAGE, &pos,
-				 "the picture's format is chosen by the ending of its name: use .png, .exr, "
-				 ".ppm or .pfm");
+		return diag_fail(
+			diag, STATUS_USAGE, &pos,
+			"the picture's format is chosen by the ending of its name: use .png, .exr, "
+			".ppm or .pfm");
 	if (is_standard(path) && !f->streams)
-		return diag_fail(diag, STATUS_USAGE, &pos,
-				 "this format cannot be written to standard output: use -.png, -.ppm or "
-				 "-.pfm, or name a file");
+		return diag_fail(
+			diag, STATUS_USAGE, &pos,
+			"this format cannot be written to standard output: use -.png, -.ppm or "
+			"-.pfm, or name a file");
 	if (f == &other)
 		return oiio_can_write(path, *bits, diag);
 	if (!*bits)
@@ -93,10 +95,12 @@ static enum status check_format(const char *path, uint32_t *bits, const struct f
 			return STATUS_OK;
 	}
 	if (!f->bits[1])
-		return diag_fail(diag, STATUS_USAGE, &pos, "%s stores %" PRIu32 " bits, not %" PRIu32,
-				 f->ending[0], f->bits[0], *bits);
-	return diag_fail(diag, STATUS_USAGE, &pos, "%s stores %" PRIu32 " or %" PRIu32 " bits, not %" PRIu32,
-			 f->ending[0], f->bits[0], f->bits[1], *bits);
+		return diag_fail(diag, STATUS_USAGE, &pos,
+				 "%s stores %" PRIu32 " bits, not %" PRIu32, f->ending[0],
+				 f->bits[0], *bits);
+	return diag_fail(diag, STATUS_USAGE, &pos,
+			 "%s stores %" PRIu32 " or %" PRIu32 " bits, not %" PRIu32, f->ending[0],
+			 f->bits[0], f->bits[1], *bits);
 }
 
 enum status image_can_write(const char *path, uint32_t bits, struct diag *diag)
@@ -144,7 +148,8 @@ static size_t sample_bytes(uint64_t width, uint64_t height, uint64_t channels)
 	uint64_t n;
 
 	if (!width || !height || !channels || channels > IMAGE_CHANNELS || width > INT32_MAX ||
-	    height > INT32_MAX || __builtin_mul_overflow(width * height, channels * sizeof(float), &n) ||
+	    height > INT32_MAX ||
+	    __builtin_mul_overflow(width * height, channels * sizeof(float), &n) ||
 	    n > SIZE_MAX / 2)
 		return 0;
 	return (size_t)n;
@@ -188,13 +193,13 @@ enum status image_take(struct image *im, struct image_in *in, uint64_t width, ui
 		return diag_fail(in->diag, STATUS_SCENE, &in->pos, "the picture has no pixels");
 	if (channels > IMAGE_CHANNELS)
 		return diag_fail(in->diag, STATUS_SCENE, &in->pos,
-				 "the picture has %" PRIu64 " channels; at most %d can be read", channels,
-				 IMAGE_CHANNELS);
+				 "the picture has %" PRIu64 " channels; at most %d can be read",
+				 channels, IMAGE_CHANNELS);
 	bytes = sample_bytes(width, height, channels);
 	if (!bytes || width > pixels / height)
 		return diag_fail(in->diag, STATUS_SCENE, &in->pos,
-				 "the picture claims %" PRIu64 " x %" PRIu64 " pixels; at most %" PRIu64
-				 " are read",
+				 "the picture claims %" PRIu64 " x %" PRIu64
+				 " pixels; at most %" PRIu64 " are read",
 				 width, height, pixels);
 	if (bytes > limit)
 		return diag_fail(in->diag, STATUS_SCENE, &in->pos,
@@ -215,8 +220,9 @@ enum status image_truncated(struct image_in *in)
 	if (ferror(in->file))
 		return diag_fail(in->diag, STATUS_SCENE, &in->pos, "cannot read the picture: %s",
 				 strerror(errno));
-	return diag_fail(in->diag, STATUS_SCENE, &in->pos,
-			 "the picture's file ends before its last pixel: it is damaged or was cut short");
+	return diag_fail(
+		in->diag, STATUS_SCENE, &in->pos,
+		"the picture's file ends before its last pixel: it is damaged or was cut short");
 }
 
 static enum status open_in(struct image_in *in, const char *path)
@@ -233,11 +239,13 @@ static enum status open_in(struct image_in *in, const char *path)
 		return diag_fail(in->diag, STATUS_SCENE, &in->pos, "cannot open the picture: %s",
 				 strerror(errno));
 	if (S_ISDIR(st.st_mode))
-		return diag_fail(in->diag, STATUS_SCENE, &in->pos, "cannot read a picture from a folder");
+		return diag_fail(in->diag, STATUS_SCENE, &in->pos,
+				 "cannot read a picture from a folder");
 	if (fread(in->magic, 1, 2, in->file) != 2) {
 		if (ferror(in->file))
 			return image_truncated(in);
-		return diag_fail(in->diag, STATUS_SCENE, &in->pos, "this is no picture: the file %s",
+		return diag_fail(in->diag, STATUS_SCENE, &in->pos,
+				 "this is no picture: the file %s",
 				 st.st_size ? "has but one byte" : "is empty");
 	}
 	return STATUS_OK;

@@ -3,8 +3,8 @@
  *
  * Pictures in memory and in files.
  *
- * Formats are chosen by the name's ending. ppm, pfm, png and exr are built in; every other goes through
- * the OpenImageIO module, which is loaded only then.
+ * Formats are chosen by the name's ending. ppm, pfm, png and exr are built in; every other goes
+ * through the OpenImageIO module, which is loaded only then.
  */
 #ifndef ALIDADE_IMAGE_IMAGE_H
 #define ALIDADE_IMAGE_IMAGE_H
@@ -44,16 +44,16 @@ enum status image_init(struct image *, struct mem_book *, uint32_t width, uint32
 		       uint32_t channels, struct diag *);
 void image_release(struct image *);
 
-/* The format is told by the first bytes; "-" is standard input. EXR: the first part's display window, with the
- * channels in the order R G B A, then layer by layer. */
-enum status image_read(struct image *, const char *path, struct mem_book *, const struct image_limits *,
-		       struct diag *);
-/* The ending of path chooses the format: .png, .ppm, .pfm, .exr, others through the module. "-" is a PNG on
- * standard output, "-.ppm" and "-.pfm" are those. Encodes as the format needs: PNG and PPM get sRGB from linear,
- * EXR and PFM linear from sRGB; alpha is straight in PNG, multiplied in elsewhere. bits: 8 or 16 for PNG and PPM,
- * 16 (half; only colour and alpha, other channels stay float) or 32 for EXR; 0: the format's usual one. Written
- * to a temporary name in the same folder, synced and renamed, so that a reader sees the old picture or the new,
- * whole. */
+/* The format is told by the first bytes; "-" is standard input. EXR: the first part's display
+ * window, with the channels in the order R G B A, then layer by layer. */
+enum status image_read(struct image *, const char *path, struct mem_book *,
+		       const struct image_limits *, struct diag *);
+/* The ending of path chooses the format: .png, .ppm, .pfm, .exr, others through the module. "-" is
+ * a PNG on standard output, "-.ppm" and "-.pfm" are those. Encodes as the format needs: PNG and PPM
+ * get sRGB from linear, EXR and PFM linear from sRGB; alpha is straight in PNG, multiplied in
+ * elsewhere. bits: 8 or 16 for PNG and PPM, 16 (half; only colour and alpha, other channels stay
+ * float) or 32 for EXR; 0: the format's usual one. Written to a temporary name in the same folder,
+ * synced and renamed, so that a reader sees the old picture or the new, whole. */
 enum status image_write(const struct image *, const char *path, uint32_t bits,
 			const struct image_note *, uint32_t notes, struct diag *);
 /* Before an hour of rendering: is the format known, can the folder be written to? Makes no file. */

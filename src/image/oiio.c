@@ -29,7 +29,8 @@ static const char *module_path(void)
 	return path && *path ? path : ALIDADE_MODULE_DIR;
 }
 
-/* The first module on the path, a list of folders with colons between; NULL: none. Freed by the caller. */
+/* The first module on the path, a list of folders with colons between; NULL: none. Freed by the
+ * caller. */
 static char *module_file(void)
 {
 	const char *p = module_path();
@@ -49,8 +50,8 @@ static char *module_file(void)
 	return NULL;
 }
 
-/* The module stays loaded once it is: OpenImageIO has threads and caches of its own. st: the status of a
- * failure. */
+/* The module stays loaded once it is: OpenImageIO has threads and caches of its own. st: the status
+ * of a failure. */
 static const struct io_oiio *load(const struct diag_pos *pos, enum status st, struct diag *diag)
 {
 	char *file = module_file();
@@ -59,7 +60,8 @@ static const struct io_oiio *load(const struct diag_pos *pos, enum status st, st
 
 	if (!file) {
 		(void)diag_fail(diag, st, pos,
-				"this picture's format needs the OpenImageIO module, and there is no " FILE_NAME
+				"this picture's format needs the OpenImageIO module, and there is "
+				"no " FILE_NAME
 				" in %s: use .png, .exr, .ppm or .pfm, or build Alidade where "
 				"libopenimageio-dev is installed",
 				module_path());
@@ -69,7 +71,8 @@ static const struct io_oiio *load(const struct diag_pos *pos, enum status st, st
 	if (handle)
 		io = dlsym(handle, IO_OIIO_SYMBOL);
 	if (!io)
-		(void)diag_fail(diag, st, pos, "the OpenImageIO module cannot be loaded: %s", dlerror());
+		(void)diag_fail(diag, st, pos, "the OpenImageIO module cannot be loaded: %s",
+				dlerror());
 	else if (io->abi != IO_OIIO_ABI || io->size != sizeof(*io)) {
 		(void)diag_fail(diag, st, pos, "%s belongs to another version of Alidade", file);
 		io = NULL;
@@ -110,7 +113,8 @@ enum status oiio_read(struct image *im, struct image_in *in, const char *path)
 
 	if (in->file == stdin)
 		return diag_fail(in->diag, STATUS_SCENE, &in->pos,
-				 "this is neither a PNG nor a PPM or PFM picture; other formats cannot be read "
+				 "this is neither a PNG nor a PPM or PFM picture; other formats "
+				 "cannot be read "
 				 "from standard input");
 	io = load(&in->pos, STATUS_SCENE, in->diag);
 	if (!io)
@@ -121,7 +125,8 @@ enum status oiio_read(struct image *im, struct image_in *in, const char *path)
 	case 2:
 		return t.status;
 	default:
-		return diag_fail(in->diag, STATUS_SCENE, &in->pos, "cannot read the picture: %s", error);
+		return diag_fail(in->diag, STATUS_SCENE, &in->pos, "cannot read the picture: %s",
+				 error);
 	}
 }
 
@@ -135,7 +140,8 @@ enum status oiio_can_write(const char *path, uint32_t bits, struct diag *diag)
 	if (!io)
 		return STATUS_USAGE;
 	if (io->can_write(path, &bits, &linear, &alpha, error, sizeof(error)))
-		return diag_fail(diag, STATUS_USAGE, &pos, "cannot write such a picture: %s", error);
+		return diag_fail(diag, STATUS_USAGE, &pos, "cannot write such a picture: %s",
+				 error);
 	return STATUS_OK;
 }
 
@@ -172,13 +178,15 @@ static enum status write_pixels(const struct image_job *job, const struct io_oii
 	if (bad == 2)
 		st = STATUS_FAILED;
 	else if (bad)
-		st = diag_fail(job->diag, STATUS_FAILED, &pos, "cannot write the picture: %s", error);
+		st = diag_fail(job->diag, STATUS_FAILED, &pos, "cannot write the picture: %s",
+			       error);
 	free(text);
 	return st;
 }
 
 /* Samples as the file shall hold them. */
-static void fill(const struct image *im, const struct image_pick *pick, bool linear, float *pixel, double *row)
+static void fill(const struct image *im, const struct image_pick *pick, bool linear, float *pixel,
+		 double *row)
 {
 	struct image_form form = { linear ? IMAGE_LINEAR : IMAGE_SRGB, true };
 	size_t n = (size_t)im->width * pick->count;
@@ -210,7 +218,8 @@ enum status oiio_write(const struct image_job *job)
 		return diag_fail(job->diag, STATUS_FAILED, &pos,
 				 "this format can be written to a regular file only");
 	if (io->can_write(job->out->path, &bits, &linear, &alpha, error, sizeof(error)))
-		return diag_fail(job->diag, STATUS_USAGE, &pos, "cannot write such a picture: %s", error);
+		return diag_fail(job->diag, STATUS_USAGE, &pos, "cannot write such a picture: %s",
+				 error);
 	st = image_pick(job, alpha, &pick);
 	if (st)
 		return st;
@@ -218,7 +227,8 @@ enum status oiio_write(const struct image_job *job)
 	pixel = malloc(mem_product(n, sizeof(*pixel)));
 	row = malloc(mem_product((size_t)im->width * pick.count, sizeof(*row)));
 	if (pixel && row) {
-		struct io_oiio_picture p = { im->width, im->height, pick.count, bits, linear, pixel, NULL, NULL, 0 };
+		struct io_oiio_picture p = { im->width, im->height, pick.count, bits, linear,
+					     pixel,	NULL,	    NULL,	0 };
 
 		fill(im, &pick, linear, pixel, row);
 		st = write_pixels(job, io, &p);

@@ -49,13 +49,14 @@ static enum status check_folder(const char *final, const struct diag_pos *pos, s
 	if (!folder)
 		return diag_no_memory(diag, "a file name", strlen(final));
 	if (stat(folder, &info))
-		st = diag_fail(diag, STATUS_FAILED, pos, "cannot write to the folder %s: %s", folder,
-			       strerror(errno));
+		st = diag_fail(diag, STATUS_FAILED, pos, "cannot write to the folder %s: %s",
+			       folder, strerror(errno));
 	else if (!S_ISDIR(info.st_mode))
-		st = diag_fail(diag, STATUS_FAILED, pos, "cannot write: %s is not a folder", folder);
+		st = diag_fail(diag, STATUS_FAILED, pos, "cannot write: %s is not a folder",
+			       folder);
 	else if (access(folder, W_OK | X_OK))
-		st = diag_fail(diag, STATUS_FAILED, pos, "cannot write to the folder %s: %s", folder,
-			       strerror(errno));
+		st = diag_fail(diag, STATUS_FAILED, pos, "cannot write to the folder %s: %s",
+			       folder, strerror(errno));
 	free(folder);
 	return st;
 }
@@ -72,14 +73,16 @@ static enum status check_target(const char *final, const struct diag_pos *pos, s
 		return diag_fail(diag, STATUS_FAILED, NULL, "the name of the output file is empty");
 	if (stat(final, &st)) {
 		if (errno != ENOENT)
-			return diag_fail(diag, STATUS_FAILED, pos, "cannot write: %s", strerror(errno));
+			return diag_fail(diag, STATUS_FAILED, pos, "cannot write: %s",
+					 strerror(errno));
 		return check_folder(final, pos, diag);
 	}
 	if (S_ISDIR(st.st_mode))
 		return diag_fail(diag, STATUS_FAILED, pos,
 				 "cannot write: this is a folder; name a file in it");
 	if (access(final, W_OK))
-		return diag_fail(diag, STATUS_FAILED, pos, "cannot replace the file: %s", strerror(errno));
+		return diag_fail(diag, STATUS_FAILED, pos, "cannot replace the file: %s",
+				 strerror(errno));
 	*direct = !S_ISREG(st.st_mode);
 	*mode = st.st_mode & 07777;
 	return *direct ? STATUS_OK : check_folder(final, pos, diag);
@@ -95,8 +98,9 @@ enum status image_out_check(const char *path, struct diag *diag)
 
 	if (!strncmp(path, "-.", 2) || !strcmp(path, "-")) {
 		if (isatty(STDOUT_FILENO))
-			return diag_fail(diag, STATUS_FAILED, NULL,
-					 "not writing a picture to the terminal: redirect standard output");
+			return diag_fail(
+				diag, STATUS_FAILED, NULL,
+				"not writing a picture to the terminal: redirect standard output");
 		return STATUS_OK;
 	}
 	final = follow(path);
@@ -114,8 +118,8 @@ static int open_temporary(struct image_out *o, const char *ending, mode_t mode)
 	int fd = -1;
 
 	for (unsigned int i = 0; i < 1000; i++) {
-		if (asprintf(&o->temporary, "%.*s.alidade-%ld-%u%s", (int)folder, o->final, (long)getpid(),
-			     i, ending) < 0) {
+		if (asprintf(&o->temporary, "%.*s.alidade-%ld-%u%s", (int)folder, o->final,
+			     (long)getpid(), i, ending) < 0) {
 			o->temporary = NULL;
 			errno = ENOMEM;
 			return -1;
@@ -152,7 +156,8 @@ static enum status open_standard(struct image_out *o)
 			 strerror(errno));
 }
 
-enum status image_out_open(struct image_out *o, const char *path, const char *ending, struct diag *diag)
+enum status image_out_open(struct image_out *o, const char *path, const char *ending,
+			   struct diag *diag)
 {
 	struct diag_pos pos = { .file = path };
 	enum status st;
@@ -171,7 +176,8 @@ enum status image_out_open(struct image_out *o, const char *path, const char *en
 		image_out_drop(o);
 		return st;
 	}
-	fd = direct ? open(o->final, O_WRONLY | O_NOCTTY | O_CLOEXEC) : open_temporary(o, ending, mode);
+	fd = direct ? open(o->final, O_WRONLY | O_NOCTTY | O_CLOEXEC)
+		    : open_temporary(o, ending, mode);
 	o->file = fd < 0 ? NULL : fdopen(fd, "wb");
 	if (o->file)
 		return STATUS_OK;
@@ -189,7 +195,8 @@ enum status image_out_failed(struct image_out *o)
 
 	return diag_fail(o->diag, STATUS_FAILED, &pos, "cannot write the picture: %s%s",
 			 error ? strerror(error) : "the stream failed",
-			 o->temporary ? "; what stood there before, if anything, is unchanged" : "");
+			 o->temporary ? "; what stood there before, if anything, is unchanged"
+				      : "");
 }
 
 /* The new name should survive a power cut as well; not every file system can promise it. */

@@ -1,8 +1,9 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * PNG (ISO/IEC 15948) through libpng. Written with 8 or 16 bits, straight alpha and the sRGB chunk; notes as tEXt,
- * or iTXt where they are not ASCII; never the time, so that the same picture gives the same bytes.
+ * PNG (ISO/IEC 15948) through libpng. Written with 8 or 16 bits, straight alpha and the sRGB chunk;
+ * notes as tEXt, or iTXt where they are not ASCII; never the time, so that the same picture gives
+ * the same bytes.
  */
 #include "image/format.h"
 
@@ -80,8 +81,8 @@ static enum status read_header(struct reader *r, struct image *im)
 	(void)png_set_interlace_handling(png);
 	png_read_update_info(png, r->info);
 	im->bits = png_get_bit_depth(png, r->info) == 16 ? 16 : 8;
-	return image_take(im, r->in, png_get_image_width(png, r->info), png_get_image_height(png, r->info),
-			  png_get_channels(png, r->info));
+	return image_take(im, r->in, png_get_image_width(png, r->info),
+			  png_get_image_height(png, r->info), png_get_channels(png, r->info));
 }
 
 static enum status read_bytes(struct reader *r, const struct image *im)
@@ -127,8 +128,8 @@ static enum status read_guarded(struct reader *r, struct image *im)
 	if (setjmp(png_jmpbuf(r->png))) {
 		if (r->ended)
 			return image_truncated(r->in);
-		return diag_fail(r->in->diag, STATUS_SCENE, &r->in->pos, "this PNG picture is damaged: %s",
-				 r->trouble.text);
+		return diag_fail(r->in->diag, STATUS_SCENE, &r->in->pos,
+				 "this PNG picture is damaged: %s", r->trouble.text);
 	}
 	png_set_read_fn(r->png, r, on_read);
 	st = read_header(r, im);
@@ -202,8 +203,8 @@ static void write_notes(struct writer *w)
 
 static enum status write_guarded(struct writer *w)
 {
-	static const int colour_type[] = { PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
-					   PNG_COLOR_TYPE_RGB_ALPHA };
+	static const int colour_type[] = { PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA,
+					   PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA };
 	const struct image_job *job = w->job;
 	const struct image *im = job->image;
 	struct image_form form = { IMAGE_SRGB, !w->pick.alpha };
@@ -219,8 +220,8 @@ static enum status write_guarded(struct writer *w)
 	png_set_user_limits(w->png, 0x7fffffff, 0x7fffffff);
 	png_set_compression_level(w->png, 6);
 	png_set_IHDR(w->png, w->info, im->width, im->height, (int)job->bits,
-		     colour_type[w->pick.count - 1], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-		     PNG_FILTER_TYPE_DEFAULT);
+		     colour_type[w->pick.count - 1], PNG_INTERLACE_NONE,
+		     PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
 	png_set_sRGB_gAMA_and_cHRM(w->png, w->info, PNG_sRGB_INTENT_PERCEPTUAL);
 	write_notes(w);
 	png_write_info(w->png, w->info);

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Netpbm's binary PPM and PGM (ppm(5), pgm(5)): a line of text, then samples of 8 or 16 bits, most
- * significant byte first; taken to be along the sRGB curve, as POV-Ray and everybody else does. And PFM, the
- * same with floats of light, bottom row first; the sign of its scale tells the byte order.
+ * significant byte first; taken to be along the sRGB curve, as POV-Ray and everybody else does. And
+ * PFM, the same with floats of light, bottom row first; the sign of its scale tells the byte order.
  */
 #include "image/format.h"
 
@@ -55,7 +55,8 @@ static enum status bad_header(struct image_in *in, const char *what)
 {
 	if (ferror(in->file) || feof(in->file))
 		return image_truncated(in);
-	return diag_fail(in->diag, STATUS_SCENE, &in->pos, "the picture's header is wrong: %s", what);
+	return diag_fail(in->diag, STATUS_SCENE, &in->pos, "the picture's header is wrong: %s",
+			 what);
 }
 
 static enum status read_rows(struct image *im, struct image_in *in, double top)
@@ -73,7 +74,8 @@ static enum status read_rows(struct image *im, struct image_in *in, double top)
 			break;
 		}
 		for (size_t i = 0; i < n; i++) {
-			uint32_t v = size == 2 ? (uint32_t)row[2 * i] << 8 | row[2 * i + 1] : row[i];
+			uint32_t v =
+				size == 2 ? (uint32_t)row[2 * i] << 8 | row[2 * i + 1] : row[i];
 
 			*out++ = (float)(v / top);
 		}
@@ -194,9 +196,10 @@ enum status pfm_write(const struct image_job *job)
 	row = malloc(n * sizeof(*row));
 	light = malloc(n * sizeof(*light));
 	if (!row || !light)
-		st = diag_no_memory(job->diag, "a row of a picture", n * (sizeof(*row) + sizeof(*light)));
-	fprintf(job->out->file, "P%c\n%u %u\n%s\n", pick.count == 1 ? 'f' : 'F', im->width, im->height,
-		host_is_little() ? "-1.0" : "1.0");
+		st = diag_no_memory(job->diag, "a row of a picture",
+				    n * (sizeof(*row) + sizeof(*light)));
+	fprintf(job->out->file, "P%c\n%u %u\n%s\n", pick.count == 1 ? 'f' : 'F', im->width,
+		im->height, host_is_little() ? "-1.0" : "1.0");
 	for (uint32_t y = im->height; y-- > 0 && !st;) {
 		image_row(im, y, pick.channel, pick.count, form, light);
 		for (size_t i = 0; i < n; i++)

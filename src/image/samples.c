@@ -65,7 +65,8 @@ static int alpha_of(const struct image *im, uint32_t c)
 }
 
 /* Premultiplied means multiplied in light, before encoding. */
-static double convert(const struct image *im, struct image_form form, float value, float alpha, bool has_alpha)
+static double convert(const struct image *im, struct image_form form, float value, float alpha,
+		      bool has_alpha)
 {
 	bool covered = has_alpha && !(alpha >= 1); /* opaque samples stay as they are, to the bit */
 	bool multiply = covered && form.premultiplied && !im->premultiplied;
@@ -99,8 +100,9 @@ void image_row(const struct image *im, uint32_t y, const uint32_t *channel, uint
 			const float *p = row + (size_t)x * im->channels;
 
 			out[(size_t)x * count + i] =
-				!colour ? (double)p[c] :
-					  convert(im, form, p[c], alpha < 0 ? 1 : p[alpha], alpha >= 0);
+				!colour ? (double)p[c]
+					: convert(im, form, p[c], alpha < 0 ? 1 : p[alpha],
+						  alpha >= 0);
 		}
 	}
 }
@@ -144,15 +146,17 @@ enum status image_pick(const struct image_job *job, bool alpha, struct image_pic
 			c = 0;
 		if (c < 0)
 			return diag_fail(job->diag, STATUS_FAILED, &pos,
-					 "the picture has neither the channels R, G and B nor Y, which this format "
+					 "the picture has neither the channels R, G and B nor Y, "
+					 "which this format "
 					 "stores; write it as .exr");
 		pick->channel[pick->count++] = (uint32_t)c;
 	}
 	if (im->channels > pick->count + (a >= 0))
-		diag_report(job->diag, DIAG_WARNING, &pos,
-			    "this format has no layers: %u of the picture's %u channels are left out "
-			    "(.exr keeps them)",
-			    im->channels - pick->count - (a >= 0), im->channels);
+		diag_report(
+			job->diag, DIAG_WARNING, &pos,
+			"this format has no layers: %u of the picture's %u channels are left out "
+			"(.exr keeps them)",
+			im->channels - pick->count - (a >= 0), im->channels);
 	pick->alpha = alpha && a >= 0;
 	if (pick->alpha)
 		pick->channel[pick->count++] = (uint32_t)a;

@@ -29,7 +29,8 @@ struct fixture {
 	struct mem_book book;
 };
 
-static void fixture_sink(void *arg, enum diag_level level, const struct diag_pos *pos, const char *text)
+static void fixture_sink(void *arg, enum diag_level level, const struct diag_pos *pos,
+			 const char *text)
 {
 	struct fixture *f = arg;
 
@@ -91,7 +92,8 @@ static inline const char *fixture_path(struct fixture *f, uint32_t i, const char
 }
 
 /* Light between 0 and 1 that no two samples share. */
-static inline void fixture_image(struct fixture *f, struct image *im, uint32_t w, uint32_t h, uint32_t channels)
+static inline void fixture_image(struct fixture *f, struct image *im, uint32_t w, uint32_t h,
+				 uint32_t channels)
 {
 	size_t n = (size_t)w * h * channels;
 

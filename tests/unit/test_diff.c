@@ -54,7 +54,8 @@ static void test_same(void **state)
 
 	pair_make(f, &p, 4);
 	assert_int_equal(pair_diff(f, &p), DIFF_SAME);
-	assert_true(p.r.mean == 0 && p.r.rms == 0 && p.r.max == 0 && p.r.p99 == 0 && isinf(p.r.psnr));
+	assert_true(p.r.mean == 0 && p.r.rms == 0 && p.r.max == 0 && p.r.p99 == 0 &&
+		    isinf(p.r.psnr));
 	assert_int_equal(p.r.reasons, 0);
 	pair_release(&p);
 }
@@ -306,9 +307,11 @@ static void test_crop(void **state)
 	p.opt.crop_width = 79;
 	assert_int_equal(pair_diff(f, &p), DIFF_SAME);
 	p.opt.crop_width = 80;
-	assert_int_equal(image_diff(&p.a, &p.b, &p.opt, &p.r, NULL, &f->book, &f->diag), STATUS_USAGE);
+	assert_int_equal(image_diff(&p.a, &p.b, &p.opt, &p.r, NULL, &f->book, &f->diag),
+			 STATUS_USAGE);
 	p.opt.crop_x = p.opt.crop_width = UINT32_MAX;
-	assert_int_equal(image_diff(&p.a, &p.b, &p.opt, &p.r, NULL, &f->book, &f->diag), STATUS_USAGE);
+	assert_int_equal(image_diff(&p.a, &p.b, &p.opt, &p.r, NULL, &f->book, &f->diag),
+			 STATUS_USAGE);
 	pair_release(&p);
 }
 
@@ -324,11 +327,13 @@ static void test_picture(void **state)
 	p.b.pixel[15] = 0.625f;
 	p.b.pixel[16] = NAN;
 	p.opt.scale = 4;
-	assert_int_equal(image_diff(&p.a, &p.b, &p.opt, &p.r, &p.picture, &f->book, &f->diag), STATUS_OK);
+	assert_int_equal(image_diff(&p.a, &p.b, &p.opt, &p.r, &p.picture, &f->book, &f->diag),
+			 STATUS_OK);
 	assert_int_equal(p.picture.channels, 3);
-	assert_memory_equal(p.picture.pixel,
-			    ((float[]){ 0, 0, 0, 0.25f, 0, 0, 0, 0.25f, 0, 0.5f, 0.5f, 0.5f, 1, 0, 1 }),
-			    15 * sizeof(float));
+	assert_memory_equal(
+		p.picture.pixel,
+		((float[]){ 0, 0, 0, 0.25f, 0, 0, 0, 0.25f, 0, 0.5f, 0.5f, 0.5f, 1, 0, 1 }),
+		15 * sizeof(float));
 	pair_release(&p);
 }
 

@@ -1,7 +1,8 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * Damaged and lying files end in one clear line; a picture that cannot be written whole leaves the old one.
+ * Damaged and lying files end in one clear line; a picture that cannot be written whole leaves the
+ * old one.
  */
 #ifdef HAVE_CONFIG_H
 #include <config.h>
@@ -21,7 +22,8 @@ static const char *const format[] = { "a.png", "a.ppm", "a.pfm",
 #define FORMATS (sizeof(format) / sizeof(*format))
 
 /* Reading fails with one message that has the words in it. */
-static void refused(struct fixture *f, const char *path, const struct image_limits *limits, const char *words)
+static void refused(struct fixture *f, const char *path, const struct image_limits *limits,
+		    const char *words)
 {
 	struct image im;
 
@@ -259,7 +261,8 @@ static void test_link(void **state)
 	assert_int_equal(fixture_count(f), 2);
 }
 
-static void cannot(struct fixture *f, const char *path, uint32_t bits, enum status want, const char *words)
+static void cannot(struct fixture *f, const char *path, uint32_t bits, enum status want,
+		   const char *words)
 {
 	uint32_t files = fixture_count(f);
 	struct image im;
@@ -306,8 +309,9 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 #define T(name) cmocka_unit_test_setup_teardown(name, fixture_setup, fixture_teardown)
-		T(test_bad_headers), T(test_comments), T(test_truncated), T(test_mutated), T(test_limits),
-		T(test_full_disk), T(test_device), T(test_link), T(test_can_write),
+		T(test_bad_headers), T(test_comments), T(test_truncated),
+		T(test_mutated),     T(test_limits),   T(test_full_disk),
+		T(test_device),	     T(test_link),     T(test_can_write),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -19,8 +19,8 @@ static double srgb_exact(double x)
 	return x <= 0.0031308 ? x * 12.92 : 1.055 * pow(x, 1 / 2.4) - 0.055;
 }
 
-static void write_and_read(struct fixture *f, const struct image *im, const char *name, uint32_t bits,
-			   struct image *back)
+static void write_and_read(struct fixture *f, const struct image *im, const char *name,
+			   uint32_t bits, struct image *back)
 {
 	const char *path = fixture_path(f, 0, name);
 
@@ -64,8 +64,8 @@ static void test_integer_formats(void **state)
 			float want = (float)(floor(srgb_exact(v) * top + 0.5) / top);
 
 			if (memcmp(&want, &back.pixel[i], sizeof(want)))
-				fail_msg("%s %u: sample %u is %g, not %g", cases[k].name, cases[k].bits, i,
-					 (double)back.pixel[i], (double)want);
+				fail_msg("%s %u: sample %u is %g, not %g", cases[k].name,
+					 cases[k].bits, i, (double)back.pixel[i], (double)want);
 		}
 		image_release(&im);
 		image_release(&back);
@@ -106,7 +106,8 @@ static void test_float_formats(void **state)
 		im.pixel[5] = -0.0f;
 #ifndef HAVE_OPENEXR
 		if (k == 1) {
-			assert_int_equal(image_write(&im, "a.exr", 0, NULL, 0, &f->diag), STATUS_USAGE);
+			assert_int_equal(image_write(&im, "a.exr", 0, NULL, 0, &f->diag),
+					 STATUS_USAGE);
 			image_release(&im);
 			continue;
 		}
@@ -125,8 +126,11 @@ static void test_float_formats(void **state)
 #ifdef HAVE_OPENEXR
 static void test_exr_layers(void **state)
 {
-	static const char *const name[] = { "R", "G", "B", "A", "Depth.Z", "Normal.X", "Normal.Y", "Normal.Z",
-					    "a layer with a rather long name.R" };
+	static const char *const name[] = {
+		"R",	    "G",	"B",
+		"A",	    "Depth.Z",	"Normal.X",
+		"Normal.Y", "Normal.Z", "a layer with a rather long name.R"
+	};
 	struct fixture *f = *state;
 	struct image im, back;
 
@@ -172,7 +176,8 @@ static void test_exr_half(void **state)
 	assert_true(back.pixel[9] == 0x1p-23f);
 	for (uint32_t p = 5; p < 64 * 20; p++) {
 		assert_true(back.pixel[p * 4 + 3] == im.pixel[p * 4 + 3]);
-		assert_true(fabsf(back.pixel[p * 4] - im.pixel[p * 4]) <= im.pixel[p * 4] * 0x1p-11f);
+		assert_true(fabsf(back.pixel[p * 4] - im.pixel[p * 4]) <=
+			    im.pixel[p * 4] * 0x1p-11f);
 	}
 	image_release(&im);
 	image_release(&back);
@@ -185,7 +190,8 @@ static void test_exr_names(void **state)
 
 	fixture_image(f, &im, 4, 4, 3);
 	strcpy(im.name[2], "R");
-	assert_int_equal(image_write(&im, fixture_path(f, 0, "a.exr"), 0, NULL, 0, &f->diag), STATUS_FAILED);
+	assert_int_equal(image_write(&im, fixture_path(f, 0, "a.exr"), 0, NULL, 0, &f->diag),
+			 STATUS_FAILED);
 	assert_non_null(strstr(f->text, "two channels of the picture are named \"R\""));
 	im.name[2][0] = '\0';
 	assert_int_equal(image_write(&im, f->path[0], 0, NULL, 0, &f->diag), STATUS_FAILED);
@@ -197,7 +203,8 @@ static void test_exr_names(void **state)
 
 static void test_alpha(void **state)
 {
-	static const float pixel[] = { 0.25f, 0.125f, 0, 0.5f, 0.2f, 0.2f, 0.2f, 0, 0.5f, 0.5f, 0.5f, 1 };
+	static const float pixel[] = { 0.25f, 0.125f, 0,    0.5f, 0.2f, 0.2f,
+				       0.2f,  0,      0.5f, 0.5f, 0.5f, 1 };
 	struct fixture *f = *state;
 	struct image im, back;
 
@@ -216,7 +223,8 @@ static void test_alpha(void **state)
 	f->messages = 0;
 	write_and_read(f, &back, "a.png", 16, &im);
 	image_release(&im);
-	assert_int_equal(image_write(&back, fixture_path(f, 1, "b.ppm"), 16, NULL, 0, &f->diag), STATUS_OK);
+	assert_int_equal(image_write(&back, fixture_path(f, 1, "b.ppm"), 16, NULL, 0, &f->diag),
+			 STATUS_OK);
 	assert_int_equal(image_read(&im, f->path[1], &f->book, NULL, &f->diag), STATUS_OK);
 	assert_int_equal(f->messages, 0);
 	assert_float_equal(im.pixel[0], srgb_exact(0.25), 3e-5);
@@ -266,7 +274,9 @@ static void test_notes(void **state)
 		if (k == 1)
 			break;
 #endif
-		assert_int_equal(image_write(&im, fixture_path(f, 0, name[k]), 0, note, 3, &f->diag), STATUS_OK);
+		assert_int_equal(
+			image_write(&im, fixture_path(f, 0, name[k]), 0, note, 3, &f->diag),
+			STATUS_OK);
 		data = fixture_load(f->path[0], &n);
 		assert_non_null(memmem(data, n, "octree:leaf=4", 13));
 		assert_non_null(memmem(data, n, "Gr\xc3\xbc\xc3\x9f" "e", 7));

@@ -49,7 +49,8 @@ bool is_linear(const OIIO::ImageSpec &spec)
 	std::string space = spec.get_string_attribute("oiio:ColorSpace");
 
 	if (!space.empty())
-		return OIIO::Strutil::iequals(space, "linear") || OIIO::Strutil::iequals(space, "scene_linear");
+		return OIIO::Strutil::iequals(space, "linear") ||
+		       OIIO::Strutil::iequals(space, "scene_linear");
 	return spec.format.is_floating_point();
 }
 
@@ -60,7 +61,8 @@ uint32_t stored_bits(const OIIO::ImageSpec &spec)
 	return bytes <= 1 ? 8 : bytes == 2 ? 16 : 32;
 }
 
-int do_read(const char *path, float *(*take)(void *, const io_oiio_header *), void *arg, char *error, size_t size)
+int do_read(const char *path, float *(*take)(void *, const io_oiio_header *), void *arg,
+	    char *error, size_t size)
 {
 	std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path);
 	std::vector<const char *> name;
@@ -91,7 +93,8 @@ int do_read(const char *path, float *(*take)(void *, const io_oiio_header *), vo
 	return 0;
 }
 
-int do_can_write(const char *path, uint32_t *bits, int *linear, int *alpha, char *error, size_t size)
+int do_can_write(const char *path, uint32_t *bits, int *linear, int *alpha, char *error,
+		 size_t size)
 {
 	std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(path);
 	std::string format;
@@ -106,8 +109,8 @@ int do_can_write(const char *path, uint32_t *bits, int *linear, int *alpha, char
 		return fail(error, size, "8, 16 or 32 bits can be asked for");
 	if (format == "hdr" && *bits != 32)
 		return fail(error, size, "this format stores light only: ask for 32 bits");
-	if (*bits != 8 && format != "hdr" && format != "tiff" && format != "openexr" && format != "rla" &&
-	    format != "dpx" && format != "zfile" && format != "jpeg2000")
+	if (*bits != 8 && format != "hdr" && format != "tiff" && format != "openexr" &&
+	    format != "rla" && format != "dpx" && format != "zfile" && format != "jpeg2000")
 		return fail(error, size, "this format stores 8 bits");
 	*linear = *bits == 32;
 	return 0;
@@ -129,8 +132,8 @@ bool reads_back(const char *path, const OIIO::ImageSpec &spec)
 	return in->read_image(0, 0, 0, back.nchannels, OIIO::TypeDesc::UINT8, row.data());
 }
 
-int do_write(const char *path, const io_oiio_picture *p, int (*put)(void *, const void *, size_t), void *arg,
-	     char *error, size_t size)
+int do_write(const char *path, const io_oiio_picture *p, int (*put)(void *, const void *, size_t),
+	     void *arg, char *error, size_t size)
 {
 	std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(path);
 	OIIO::ImageSpec spec(static_cast<int>(p->width), static_cast<int>(p->height),
@@ -150,28 +153,33 @@ int do_write(const char *path, const io_oiio_picture *p, int (*put)(void *, cons
 	/* TIFF through memory comes out without its directory (2.4.7). */
 	whole = std::strcmp(out->format_name(), "tiff") && out->supports("ioproxy") &&
 		out->set_ioproxy(&memory);
-	if (!out->open(path, spec) || !out->write_image(OIIO::TypeDesc::FLOAT, p->pixel) || !out->close())
+	if (!out->open(path, spec) || !out->write_image(OIIO::TypeDesc::FLOAT, p->pixel) ||
+	    !out->close())
 		return fail(error, size, out->geterror());
 	out.reset();
 	if (whole && put(arg, memory.buffer().data(), memory.buffer().size()))
 		return 2;
 	if (!reads_back(path, spec))
-		return fail(error, size, "what was written cannot be read again: is the disk full?");
+		return fail(error, size,
+			    "what was written cannot be read again: is the disk full?");
 	return 0;
 }
 
-int io_read(const char *path, float *(*take)(void *, const io_oiio_header *), void *arg, char *error, size_t size)
+int io_read(const char *path, float *(*take)(void *, const io_oiio_header *), void *arg,
+	    char *error, size_t size)
 {
 	return guarded(error, size, [=] { return do_read(path, take, arg, error, size); });
 }
 
-int io_can_write(const char *path, uint32_t *bits, int *linear, int *alpha, char *error, size_t size)
+int io_can_write(const char *path, uint32_t *bits, int *linear, int *alpha, char *error,
+		 size_t size)
 {
-	return guarded(error, size, [=] { return do_can_write(path, bits, linear, alpha, error, size); });
+	return guarded(error, size,
+		       [=] { return do_can_write(path, bits, linear, alpha, error, size); });
 }
 
-int io_write(const char *path, const io_oiio_picture *p, int (*put)(void *, const void *, size_t), void *arg,
-	     char *error, size_t size)
+int io_write(const char *path, const io_oiio_picture *p, int (*put)(void *, const void *, size_t),
+	     void *arg, char *error, size_t size)
 {
 	return guarded(error, size, [=] { return do_write(path, p, put, arg, error, size); });
 }
@@ -180,5 +188,6 @@ int io_write(const char *path, const io_oiio_picture *p, int (*put)(void *, cons
 
 extern "C" {
 extern __attribute__((visibility("default"))) const struct io_oiio alidade_io_oiio;
-const struct io_oiio alidade_io_oiio = { IO_OIIO_ABI, sizeof(struct io_oiio), io_read, io_can_write, io_write };
+const struct io_oiio alidade_io_oiio = { IO_OIIO_ABI, sizeof(struct io_oiio), io_read, io_can_write,
+					 io_write };
 }

@@ -188,7 +188,7 @@ static void a_surface_does_not_hide_its_own_lamp(void **state)
 
 	s->object[disc].kind = SHAPE_DISC;
 	s->object[disc].shape.disc.centre = s->light[1].location;
-	s->object[disc].shape.disc.normal = vec_unit(vec_make(0.2, 1, 0.3));
+	s->object[disc].shape.disc.normal = vec_unit(vec_make(0.03, 1, -0.04));
 	s->object[disc].shape.disc.radius = 0.4;
 	s->object[disc].texture = 1; /* opaque */
 	s->object[s->last_root].next_sibling = disc;

@@ -52,13 +52,13 @@ static bool wanted(const struct tree *t, const struct light *l, const struct met
 	return false;
 }
 
-/* A lamp that lies in a surface is not hidden by it: the ray ends before the light by a bound on what
- * rounding does to coordinates of this size. */
+/* A lamp that lies in a surface is not hidden by it: the ray ends before the light by more than what
+ * rounding does to coordinates of this size, unless the light grazes. */
 static double short_of(vec p, const struct light_ray *r)
 {
 	double size = fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))) + r->depth;
 
-	return r->depth - 0x1p-44 * size;
+	return r->depth - 0x1p-40 * size;
 }
 
 static void ask(struct tree *t, const struct met *m, const struct node *n, const struct light_ray *r,

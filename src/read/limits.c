@@ -13,12 +13,12 @@ const struct read_limit_row read_limit_table[] = {
 	[NESTING] = { "nesting", 500, "of braces, parentheses and #if, together" },
 	[MACRO_DEPTH] = { "macro_depth", 200, "macros calling macros" },
 	[INCLUDE_DEPTH] = { "include_depth", 32, "files including files" },
-	[LOOP_STEPS] = { "loop_steps", 5e6, "of all #while and #for loops together" },
+	[LOOP_STEPS] = { "loop_steps", 3e6, "of all #while and #for loops together" },
 	[STRING_BYTES] = { "string_bytes", 1 << 20, "of one string" },
 	[TOKENS] = { "tokens", 4e7, "words, numbers and signs read, over one for each byte of the files" },
 	[ELEMENTS] = { "elements", 1e8, "of one list or array" },
 	[OBJECTS] = { "objects", 1e7, "in the scene" },
-	[MEMORY] = { "memory", 1 << 30, "bytes of declared values and items" },
+	[MEMORY] = { "memory", 1 << 29, "bytes of declared values and items" },
 	[SECONDS] = { "seconds", 0, "of reading; 0 sets no limit" },
 };
 

@@ -97,11 +97,13 @@ struct source {
 	bool spent; /* taken off, waiting to be used again */
 };
 
+/* A file that was included; a second time it is not opened again. */
 struct mapping {
 	struct mapping *next;
-	void *base;
+	const char *name, *from; /* as written, and the folder of the file that asked */
+	const char *path, *folder;
+	void *base; /* NULL: empty */
 	size_t size;
-	bool mapped; /* else from mem_alloc */
 };
 
 enum cond_kind { COND_IF, COND_WHILE, COND_FOR, COND_SWITCH };

@@ -66,9 +66,19 @@ static void skip_comment(struct pov *p)
 		    "its own */)");
 }
 
+/* Comments are cheaper than tokens, but in a loop not free. */
+static void charge_blank(struct pov *p, const char *from)
+{
+	size_t n = (size_t)(p->source->p.at - from);
+
+	if (n >= 64)
+		pov_charge(p, n / 16);
+}
+
 void lex_blank(struct pov *p)
 {
 	struct source *s = p->source;
+	const char *from = s->p.at;
 
 	while (s->p.at < s->end) {
 		char c = *s->p.at;
@@ -86,9 +96,10 @@ void lex_blank(struct pov *p)
 			if (p->failed)
 				return;
 		} else {
-			return;
+			break;
 		}
 	}
+	charge_blank(p, from);
 }
 
 /* At the opening quote. A quote behind a backslash does not end it; a string may hold newlines. */

@@ -115,7 +115,7 @@ void macro_call(struct pov *p, struct macro *m, struct diag_pos pos)
 	pov_next(p);
 	p->hold = hold;
 	pov_unnest(p);
-	if (p->failed || !source_push_macro(p, m))
+	if (p->failed || !pov_charge(p, 8) || !source_push_macro(p, m))
 		return;
 	for (uint32_t i = 0; i < m->count; i++) {
 		b = bind(p, m->param[i], scope_depth(p));

@@ -161,10 +161,16 @@ struct binding *bind(struct pov *p, struct atom *atom, uint32_t depth)
 void unbind(struct pov *p, struct atom *atom)
 {
 	struct binding *b = atom->top;
+	struct scope *s = BUF_AT(&p->scopes, struct scope, b->depth);
 
-	(void)p;
 	atom->top = b->below;
 	b->gone = true;
+	if (!p->macro_depth && s->first == b) { /* no parameter can refer to it */
+		s->first = b->next;
+		b->next = p->spare_binding;
+		p->spare_binding = b;
+	}
+	pov_charge(p, 4);
 }
 
 struct slot *slot_follow(struct slot *s)
@@ -191,7 +197,7 @@ struct array *array_new(struct pov *p, uint32_t dims, const uint32_t *size)
 		}
 	}
 	bytes = sizeof(*a) + (size_t)count * sizeof(a->slot[0]);
-	if (!pov_charge_memory(p, bytes) || !pov_charge(p, count / 16))
+	if (!pov_charge_memory(p, bytes) || !pov_charge(p, 8 + count / 8))
 		return NULL;
 	a = mem_zalloc(p->book, PURPOSE, bytes);
 	if (!a) {

@@ -61,7 +61,7 @@ void pov_warn(struct pov *p, const struct diag_pos *pos, const char *fmt, ...)
 {
 	va_list ap;
 
-	if (p->failed)
+	if (p->failed || !pov_charge(p, 100))
 		return;
 	pov_debug_flush(p);
 	va_start(ap, fmt);
@@ -221,7 +221,7 @@ void pov_debug(struct pov *p, const char *text)
 	size_t length = strlen(text);
 	char *line, *newline;
 
-	if (p->options->quiet_debug || p->failed)
+	if (p->options->quiet_debug || !pov_charge(p, 16 + length / 16))
 		return;
 	if (length > UINT32_MAX / 2 || !buf_reserve(&p->debug, p->book, "reading", (uint32_t)length + 1)) {
 		pov_no_memory(p);
@@ -329,7 +329,7 @@ enum status pov_read(const char *path, const char *bytes, size_t size,
 	arena_init(&p.arena, scene->book, "reading");
 	p.token_limit = p.limit.tokens + size;
 	if (start(&p, path, bytes, size)) {
-		while (pov_token(&p) != TOK_END) {
+		while (pov_token(&p) != TOK_END && pov_charge(&p, 8)) {
 			if (pov_accept(&p, TOK_SEMICOLON) || bare_directive(&p) || pov_top_item(&p))
 				continue;
 			pov_fail(&p, "%s cannot stand here: an object, a light, a camera, settings or "

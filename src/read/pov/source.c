@@ -97,27 +97,11 @@ void source_pop(struct pov *p)
 	p->spare_source = s;
 }
 
-static bool remember(struct pov *p, void *base, size_t size, bool mapped)
-{
-	struct mapping *m = pov_alloc(p, sizeof(*m));
-
-	if (!m) {
-		if (mapped)
-			munmap(base, size);
-		return false;
-	}
-	*m = (struct mapping){ p->mappings, base, size, mapped };
-	p->mappings = m;
-	return true;
-}
-
 void sources_release(struct pov *p)
 {
 	for (struct mapping *m = p->mappings; m; m = m->next) {
-		if (m->mapped)
+		if (m->base)
 			munmap(m->base, m->size);
-		else
-			mem_free(m->base);
 	}
 }
 
@@ -204,12 +188,53 @@ static const char *folder_of(struct pov *p, const char *path)
 	return folder;
 }
 
+static char *keep_text(struct pov *p, const char *text)
+{
+	size_t n = strlen(text);
+	char *copy = pov_alloc(p, n + 1);
+
+	if (copy)
+		memcpy(copy, text, n);
+	return copy;
+}
+
+/* Takes fd. NULL: reported. */
+static struct mapping *map_file(struct pov *p, const char *name, char *path, int fd, size_t size,
+				const struct diag_pos *pos)
+{
+	struct mapping *m = pov_alloc(p, sizeof(*m));
+
+	if (m) {
+		*m = (struct mapping){ .name = keep_text(p, name), .from = keep_text(p, p->source->folder),
+				       .path = path, .folder = folder_of(p, path), .size = size };
+		if (size)
+			m->base = mmap(NULL, size, PROT_READ, MAP_PRIVATE, fd, 0);
+		if (m->base == MAP_FAILED) {
+			pov_fail_at(p, pos, "\"%s\" cannot be read: %s", path, strerror(errno));
+			m->base = NULL;
+		}
+		m->next = p->mappings;
+		p->mappings = m;
+		p->token_limit += size;
+	}
+	close(fd);
+	return p->failed ? NULL : m;
+}
+
+static struct mapping *known(const struct pov *p, const char *name)
+{
+	for (struct mapping *m = p->mappings; m; m = m->next) {
+		if (!strcmp(m->name, name) && !strcmp(m->from, p->source->folder))
+			return m;
+	}
+	return NULL;
+}
+
 bool source_include(struct pov *p, const char *name, const struct diag_pos *pos)
 {
+	struct mapping *m = known(p, name);
 	size_t size = 0;
 	char *path;
-	const char *folder;
-	void *base = NULL;
 	int fd;
 
 	if (p->include_depth >= p->limit.include_depth) {
@@ -217,29 +242,19 @@ bool source_include(struct pov *p, const char *name, const struct diag_pos *pos)
 			  "files include each other too deeply, perhaps in a circle");
 		return false;
 	}
-	fd = find_file(p, name, &path, &size);
-	if (fd < 0) {
-		pov_fail_at(p, pos, "include file \"%s\" was not found (looked in the including file's "
-			    "and the scene's folder, -L folders%s)", name,
-			    p->options->no_system_includes ? "" : " and POV-Ray's include folder");
-		return false;
-	}
-	if (size) {
-		base = mmap(NULL, size, PROT_READ, MAP_PRIVATE, fd, 0);
-		if (base == MAP_FAILED) {
-			pov_fail_at(p, pos, "\"%s\" cannot be read: %s", path, strerror(errno));
-			close(fd);
+	if (!m) {
+		fd = find_file(p, name, &path, &size);
+		if (fd < 0) {
+			pov_fail_at(p, pos, "include file \"%s\" was not found (looked in the including "
+				    "file's and the scene's folder, -L folders%s)", name,
+				    p->options->no_system_includes ? "" : " and POV-Ray's include folder");
 			return false;
 		}
+		m = map_file(p, name, path, fd, size, pos);
 	}
-	close(fd);
-	folder = folder_of(p, path);
-	if (!folder || (size && !remember(p, base, size, true)) ||
-	    !source_push_text(p, path, folder, size ? base : "", size))
+	if (!m || !pov_charge(p, 32) ||
+	    !source_push_text(p, m->path, m->folder, m->base ? m->base : "", m->size))
 		return false;
-	/* The file's own text is paid for, but not endlessly by including it again and again. */
-	if (p->token_limit < 100 * p->limit.tokens)
-		p->token_limit += size;
 	p->include_depth++;
 	return true;
 }

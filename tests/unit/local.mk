@@ -82,3 +82,12 @@ tests_unit_test_pov_scan_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_pov_scan_LDADD = $(UNIT_LIBS)
 TESTS += tests/unit/test_pov_scan
 endif
+
+if HAVE_CMOCKA
+check_PROGRAMS += tests/unit/test_pov_core
+tests_unit_test_pov_core_SOURCES = tests/unit/test_pov_core.c
+tests_unit_test_pov_core_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_pov_core_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_pov_core
+endif
+EXTRA_DIST += tests/pov/core

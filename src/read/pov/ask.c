@@ -108,12 +108,19 @@ struct pov_value pov_value(struct pov *p)
 	return v;
 }
 
-/* From sRGB's encoding to the working space (manual 3.4.1.3). */
-static double srgb_decode(struct pov *p, double v)
+/* From sRGB's encoding to the working space (manual 3.4.1.3), in float as POV-Ray does it. */
+static double srgb_decode(struct pov *p, double value)
 {
-	double linear = v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4), g = pov_gamma(p);
+	float v = (float)value, linear;
+	double g = pov_gamma(p);
 
-	return g == 1 ? linear : linear > 0 ? pow(linear, 1 / g) : 0;
+	if (v < 0.04045f)
+		linear = v / 12.92f;
+	else
+		linear = (float)pow((double)((v + 0.055f) / 1.055f), (double)2.4f);
+	if (g == 1)
+		return (double)linear;
+	return linear > 0 ? (double)(float)pow((double)linear, (double)(1.0f / (float)g)) : 0;
 }
 
 /* rgbft and its like: the current token is the word; terms: how many components it takes. */
@@ -131,7 +138,7 @@ static void colour_word(struct pov *p, double c[5], uint32_t terms, bool srgb, b
 	for (uint32_t i = 0; i < v.count; i++)
 		c[i] = (double)(float)v.c[i];
 	for (uint32_t i = 0; srgb && i < 3; i++)
-		c[i] = (double)(float)srgb_decode(p, c[i]);
+		c[i] = srgb_decode(p, c[i]);
 	if (transmit_only) {
 		c[4] = c[3];
 		c[3] = 0;

@@ -1,0 +1,25 @@
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+camera { }
+#macro Show(C) #debug concat(vstr(5, C, " ", 0, 9), "\n") #end
+#declare C = rgb <1/3, .5, .7>;			Show(C)
+#declare C = rgb <1, 2, 3> * 0.5;		Show(C) Show(-C) Show(C * C)
+#declare C = <1, 2> + C;			Show(C)
+#declare C = rgbt 1;				Show(C)
+#declare C = rgbf <.1, .2, .3, .4>;		Show(C)
+#declare C = rgbft <.1, .2, .3, .4, .5>;	Show(C)
+#declare C = color red 1 blue .5 filter .2;	Show(C)
+#debug concat(str(C.gray, 0, 9), " ", str(C.red, 0, 3), str(C.blue, 0, 3), str(C.filter, 0, 9), "\n")
+#declare C = colour rgb <1, 1, 1> transmit .2;	Show(C)
+#declare C = rgb <1, .5, .25, .5>;		Show(C)
+#declare C = srgb 0.5;				Show(C)
+#declare C = srgb <.02, .04045, .9>;		Show(C)
+#declare C = srgbft <.5, .5, .5, .5, .5>;	Show(C)
+#declare C = srgbt <.1, .2, .3, .4>;		Show(C)
+#declare D = C;					Show(D)
+#declare D = C * 2;				Show(D)
+#declare D = C.red;				#debug concat(str(D, 0, 9), "\n")
+#declare D = color C;				Show(D)
+#declare D = rgb C;				Show(D)
+#declare D = <1/3, 1/3, 1/3, 1/3, 1/3>;	Show(D)
+#declare D = rgb 1/3;				Show(D)

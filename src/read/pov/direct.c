@@ -230,9 +230,9 @@ static void file_directive(struct pov *p, enum pov_token_kind word, struct diag_
 /* A # that no directive follows means nothing, as in POV-Ray. */
 static void no_directive(struct pov *p, const struct diag_pos *pos)
 {
-	if (!p->tok.atom && p->tok.kind != TOK_END) {
+	if (!p->tok.atom) {
 		pov_warn(p, pos, "# without a directive after it is ignored");
-		p->have = true;
+		p->have = p->tok.kind != TOK_END;
 		return;
 	}
 	pov_fail_at(p, pos, "#%.*s is no directive",

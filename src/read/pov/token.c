@@ -44,15 +44,15 @@ static bool read_index(struct pov *p, const struct array *a, uint32_t dim, uint6
 		return false;
 	pov_token(p);
 	pos = pov_pos(p);
-	i = expr_float(p) + POV_EPSILON;
+	i = expr_float(p);
 	if (!pov_expect(p, TOK_RIGHT_SQUARE, "after an array's index"))
 		return false;
-	if (!(i > -1 && i < a->size[dim])) {
+	if (!(i > -1 && i + POV_EPSILON < a->size[dim])) {
 		pov_fail_at(p, &pos, "index %.0f is outside the array, whose dimension %u has %u elements",
 			    i, dim + 1, a->size[dim]);
 		return false;
 	}
-	*at = *at * a->size[dim] + (uint64_t)(i < 0 ? 0 : i);
+	*at = *at * a->size[dim] + (uint64_t)(i < 0 ? 0 : i + POV_EPSILON);
 	return true;
 }
 

@@ -190,7 +190,10 @@ bool right_side(struct pov *p, struct slot *out, bool parameter)
 		pov_fail(p, "expected a value, found %s", pov_text(p));
 		return false;
 	default:
-		break;
+		if (p->tok.atom)
+			break;
+		pov_fail(p, "expected a value, found %s", pov_text(p));
+		return false;
 	}
 	out->kind = SLOT_ITEM;
 	out->u.item = pov_read_item(p, &out->item_kind);

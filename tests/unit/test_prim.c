@@ -117,16 +117,17 @@ static double miss(const struct object *o, const ald_ray *r, double t)
 	long double x = (long double)r->org.x + (long double)t * (long double)r->dir.x;
 	long double y = (long double)r->org.y + (long double)t * (long double)r->dir.y;
 	long double z = (long double)r->org.z + (long double)t * (long double)r->dir.z;
-	long double rho;
+	long double rho, size;
 
 	switch (o->kind) {
 	case SHAPE_SPHERE:
-		y -= o->shape.sphere.centre.y;
-		return fabs((double)(sqrtl(x * x + y * y + z * z) / o->shape.sphere.radius - 1));
+		y -= (long double)o->shape.sphere.centre.y;
+		size = (long double)o->shape.sphere.radius;
+		return fabs((double)(sqrtl(x * x + y * y + z * z) / size - 1));
 	case SHAPE_TORUS:
-		rho = sqrtl(x * x + z * z) - o->shape.torus.major;
-		return fabs((double)((sqrtl(rho * rho + y * y) - o->shape.torus.minor) /
-				     o->shape.torus.major));
+		size = (long double)o->shape.torus.major;
+		rho = sqrtl(x * x + z * z) - size;
+		return fabs((double)((sqrtl(rho * rho + y * y) - (long double)o->shape.torus.minor) / size));
 	default:
 		return 0;
 	}
@@ -196,7 +197,7 @@ static void solids_are_tight(void **state)
 								       o.shape.cone.apex_radius),
 						   0, i % 3 == 1 ? -1 : 1);
 
-				own.y = sin(a) * fabs(own.x / (cos(a) ? cos(a) : 1));
+				own.y = sin(a) * fabs(own.x / (cos(a) != 0 ? cos(a) : 1));
 				to = vec_add(p.centre, mat_dir(&p.from, own));
 			}
 			if (o.kind == SHAPE_BOX && i & 1)

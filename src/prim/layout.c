@@ -151,12 +151,28 @@ enum status layout_mesh_level(struct prim_set *s, uint32_t level, struct diag *d
 	return STATUS_OK;
 }
 
+/* The corners of an instanced mesh's box rather than its vertices: there may be many instances. */
+static bool join_instance(const struct prim_level *in, const struct xform *place, ald_box *box)
+{
+	for (unsigned i = 0; in->count && i < 8; i++) {
+		vec c = { i & 1 ? in->box.hi.x : in->box.lo.x, i & 2 ? in->box.hi.y : in->box.lo.y,
+			  i & 4 ? in->box.hi.z : in->box.lo.z };
+
+		c = mat_point(&place->fwd, vec_add(vec_scale(c, 1 / in->scale), in->shift));
+		if (vec_finite(c))
+			ald_box_join(box, &(ald_box){ c, c });
+	}
+	return in->count > 0;
+}
+
 /* Where a leaf lies in the world; false: nowhere, or without bounds. */
 static bool leaf_box(const struct prim_set *s, const struct prim_leaf *f, ald_box *box)
 {
 	const struct object *o = &s->scene->object[f->object];
 	struct prim p;
 
+	if (f->level)
+		return join_instance(&s->level[f->level], &f->place, box);
 	if (f->kind == SHAPE_MESH)
 		return prim_join_mesh(box, &s->scene->mesh[f->mesh], &f->place.fwd);
 	if (!is_bounded(f->kind) ||

@@ -11,3 +11,4 @@ EXTRA_DIST += $(SHELL_TESTS) tests/tap.sh tests/cli
 include tests/images/local.mk
 include tests/plugins/local.mk
 include tests/numerics/local.mk
+include tests/blender/local.mk

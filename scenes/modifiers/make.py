@@ -32,7 +32,8 @@ def build():
     ob.data.edges.add(8)
     for k in range(8):
         ob.data.edges[k].vertices = (k, (k + 1) % 8)
-    c.modifier(ob, 'SCREW', angle=2 * math.pi, screw_offset=0.42, iterations=3, steps=20, render_steps=20)
+    c.modifier(ob, 'SCREW', angle=2 * math.pi, screw_offset=0.42, iterations=3, steps=20,
+               render_steps=20)
     ob = c.shape('monkey', size=1.1, location=(2.7, 1.7, 0.9), rotation=(0, 0, -20), mat=mats[1], name='Halves')
     c.modifier(ob, 'DECIMATE', ratio=0.5)
     # A Boolean modifier is applied here: with one in place the add-on would write its operand as a

@@ -111,3 +111,21 @@ def png(shown):
     rows = b''.join(b'\0' + pixels[y].tobytes() for y in range(height))
     return (b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', struct.pack('>2I5B', width, height, 8, 2, 0, 0, 0)) +
             chunk(b'IDAT', zlib.compress(rows, 9)) + chunk(b'IEND', b''))
+
+
+def read_pfm(path):
+    """A colour PFM, as Alidade writes it: light, rows from the bottom up."""
+    with open(path, 'rb') as file:
+        kind, size, scale = (file.readline().split() for _ in range(3))
+        if kind != [b'PF'] or len(size) != 2:
+            raise Unreadable('%s: not a PFM of three channels' % path)
+        width, height = int(size[0]), int(size[1])
+        order = '<f4' if float(scale[0]) < 0 else '>f4'
+        data = numpy.frombuffer(file.read(), order)
+    if data.size != 3 * width * height:
+        raise Unreadable('%s: cut short' % path)
+    return data.reshape(height, width, 3)[::-1].astype(numpy.float64)
+
+
+def read(path):
+    return read_pfm(path) if path.endswith('.pfm') else read_exr(path)

@@ -1,0 +1,23 @@
+#!/bin/sh
+# SPDX-FileCopyrightText: 2026 The Alidade authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# Many varied Blender files against POV-Ray: see breadth.py. Takes minutes, so only under ALIDADE_ALL=1
+# or when numbers of files are given.
+#
+#	breadth.sh [NUMBER...]
+. "${ALIDADE_SRC:-.}/tests/tap.sh"
+[ -n "${ALIDADE_ALL:-}" ] || [ $# -gt 0 ] || skip_all "only ./dev check --all makes files with Blender"
+need blender povray python3
+# Debian's own python3 has numpy, whatever comes first in the path.
+python=python3
+python3 -c 'import numpy' 2>/dev/null || python=/usr/bin/python3
+if ! $python -c 'import numpy' 2>/dev/null; then
+	[ -z "${ALIDADE_CI:-}" ] || { echo "Bail out! python3-numpy is missing"; exit 1; }
+	skip_all "python3-numpy is not installed"
+fi
+export ALIDADE ALIDADE_SRC ALIDADE_BUILD PYTHONDONTWRITEBYTECODE=1
+trap - EXIT
+# shellcheck disable=SC2154 # tap.sh sets it
+rm -rf "$tap_dir"
+exec $python "$ALIDADE_SRC/tests/blender/breadth.py" "$@"

@@ -91,3 +91,10 @@ tests_unit_test_pov_core_LDADD = $(UNIT_LIBS)
 TESTS += tests/unit/test_pov_core
 endif
 EXTRA_DIST += tests/pov/core
+
+check_PROGRAMS += tests/unit/test_pov_items
+tests_unit_test_pov_items_SOURCES = tests/unit/test_pov_items.c tests/unit/pov_fixture.h
+tests_unit_test_pov_items_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_pov_items_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_pov_items
+endif

@@ -82,6 +82,7 @@ struct pov_object { /* ITEM_OBJECT */
 	struct pov_lack lack;
 	struct pov_child *first, *last; /* of a union, in the order of the file */
 	uint32_t depth; /* of unions in unions below this one */
+	uint64_t weight; /* objects that it puts into the scene, with all that is in it */
 };
 
 struct pov_other { /* all other kinds: known by name, not yet rendered */

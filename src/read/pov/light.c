@@ -31,9 +31,9 @@ static void read_area(struct pov *p, struct draft *d)
 	pov_comma(p);
 	l->axis2 = pov_finite_vector(p, "area_light's second axis");
 	pov_comma(p);
-	l->size1 = pov_count(p, "area_light's first size", 1, 65536);
+	l->size1 = pov_count(p, "points along area_light's first axis", 1, 65536);
 	pov_comma(p);
-	l->size2 = pov_count(p, "area_light's second size", 1, 65536);
+	l->size2 = pov_count(p, "points along area_light's second axis", 1, 65536);
 }
 
 static void need_cone(struct pov *p, const struct draft *d, const char *word)

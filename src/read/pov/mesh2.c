@@ -47,17 +47,16 @@ static bool list_ends(struct pov *p, const struct list *l)
 		return false;
 	if (pov_token(p) == TOK_RIGHT_BRACE || pov_token(p) == TOK_END)
 		return pov_close(p, l->name);
-	pov_fail(p, "%s says that it has %zu elements, but more follow", l->name, l->count);
+	pov_fail(p, "%s announces %zu, but more follow", l->name, l->count);
 	return false;
 }
 
 static bool read_element(struct pov *p, struct list *l, const struct list_kind *k)
 {
 	if (pov_token(p) == TOK_END && !pov_failed(p))
-		pov_fail(p, "the file ends in %s, after %zu of %zu elements", l->name, l->done, l->count);
+		pov_fail(p, "the file ends in %s, after %zu of %zu", l->name, l->done, l->count);
 	else if (pov_token(p) == TOK_RIGHT_BRACE)
-		pov_fail(p, "%s says that it has %zu elements, but only %zu follow", l->name, l->count,
-			 l->done);
+		pov_fail(p, "%s announces %zu, but has only %zu", l->name, l->count, l->done);
 	if (pov_failed(p) || !k->read(p, l))
 		return false;
 	l->done++;
@@ -249,13 +248,15 @@ static bool read_indices(struct pov *p, const struct list *l, uint32_t out[3])
 	vec v = pov_vector(p);
 	const double i[3] = { v.x, v.y, v.z };
 
+	if (!l->below && !pov_failed(p))
+		pov_fail_at(p, &at, "%s in a mesh without %s", l->name, l->of);
 	for (int k = 0; k < 3 && !pov_failed(p); k++) {
 		/* POV-Ray cuts off what stands behind the point, and so accepts -0.5. */
 		double whole = trunc(i[k]);
 
 		if (!(whole >= 0 && whole < l->below)) {
-			pov_fail_at(p, &at, "index %.15g in %s is out of range: there are %u %s, counted "
-				    "from 0", i[k], l->name, l->below, l->of);
+			pov_fail_at(p, &at, "index %.15g in %s is out of range: %s are counted from 0, "
+				    "and the last is %u", i[k], l->name, l->of, l->below - 1);
 			return false;
 		}
 		out[k] = (uint32_t)whole;
@@ -314,8 +315,13 @@ static bool read_texture_number(struct pov *p, struct list *l, uint32_t *out)
 	if (pov_failed(p))
 		return false;
 	if (!(whole >= 0 && whole < l->d->list_count)) {
-		pov_fail_at(p, &at, "texture number %.15g is out of range: the mesh's texture_list has %u "
-			    "textures, counted from 0", x, l->d->list_count);
+		if (!l->d->list_count)
+			pov_fail_at(p, &at, "a face has texture number %.15g, but the mesh has no "
+				    "textures in a texture_list", x);
+		else
+			pov_fail_at(p, &at, "texture number %.15g is out of range: the textures of "
+				    "texture_list are counted from 0, and the last is %u", x,
+				    l->d->list_count - 1);
 		return false;
 	}
 	*out = (uint32_t)whole;
@@ -430,7 +436,7 @@ static bool read_normal_indices(struct pov *p, struct mesh_draft *d)
 	if (!read_count(p, &l, 0))
 		return false;
 	if (l.count > d->index.count) {
-		pov_fail_at(p, &at, "normal_indices has %zu elements, but the mesh only %zu faces", l.count,
+		pov_fail_at(p, &at, "normal_indices announces %zu, but the mesh has only %zu faces", l.count,
 			    d->index.count);
 		return false;
 	}
@@ -450,8 +456,8 @@ static bool read_uv_indices(struct pov *p, struct mesh_draft *d, size_t uvs)
 	if (!read_count(p, &l, 0))
 		return false;
 	if (l.count != d->index.count) {
-		pov_fail_at(p, &at, "uv_indices has %zu elements, but the mesh %zu faces: they have to be "
-			    "the same", l.count, d->index.count);
+		pov_fail_at(p, &at, "uv_indices announces %zu, but the mesh has %zu faces: it needs one for "
+			    "each", l.count, d->index.count);
 		return false;
 	}
 	return read_elements(p, &l, &kind);
@@ -472,8 +478,7 @@ static bool read_texture_list(struct pov *p, struct mesh_draft *d)
 		if (!t && pov_token(p) == TOK_TEXTURE)
 			t = pov_read_texture(p);
 		if (!t && !pov_failed(p))
-			pov_fail(p, "texture_list says that it has %zu textures, but only %zu follow",
-				 l.count, l.done);
+			pov_fail(p, "texture_list announces %zu, but has only %zu", l.count, l.done);
 		if (pov_failed(p) || !mesh_reserve(p, &a, 1, 0))
 			break;
 		((struct pov_texture **)a.data)[a.count++] = t;

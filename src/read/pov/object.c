@@ -16,6 +16,7 @@ struct pov_object *pov_object_new(struct pov *p, enum shape_kind kind, const str
 
 	if (!o)
 		return NULL;
+	o->weight = 1;
 	o->object.kind = kind;
 	o->object.place = xform_identity;
 	o->object.texture = o->object.interior_texture = o->object.interior = SCENE_NONE;
@@ -341,6 +342,8 @@ static bool add_child(struct pov *p, struct pov_object *o, struct pov_object *ch
 	else
 		o->first = c;
 	o->last = c;
+	/* Unions of unions double: the count is kept from running over, and is refused when used. */
+	o->weight = o->weight + child->weight < UINT64_MAX / 4 ? o->weight + child->weight : UINT64_MAX / 4;
 	if (o->depth <= child->depth)
 		o->depth = child->depth + 1;
 	if (o->depth > 1000) {

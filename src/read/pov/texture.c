@@ -11,9 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#define PATTERN_REMEDY "give the material a plain colour"
-
-/* "the pattern checker in a pigment", in the parser's arena. */
+/* "checker in a pigment", in the parser's arena. */
 static const char *pattern_name(struct pov *p, const char *block)
 {
 	const char *word = pov_text(p);
@@ -26,11 +24,11 @@ static const char *pattern_name(struct pov *p, const char *block)
 	return name;
 }
 
-static void skip_pattern(struct pov *p, struct pov_lack *lack, const char *block)
+static void skip_pattern(struct pov *p, struct pov_lack *lack, const char *block, const char *remedy)
 {
 	if (pov_token(p) == TOK_RIGHT_BRACE || pov_token(p) == TOK_END)
 		return;
-	pov_lack_note(p, lack, pattern_name(p, block), PATTERN_REMEDY);
+	pov_lack_note(p, lack, pattern_name(p, block), remedy);
 	pov_skip_rest(p);
 }
 
@@ -53,7 +51,7 @@ struct pov_pigment *pov_read_pigment(struct pov *p, const struct pov_pigment *ba
 			pigment.colour = pov_finite_colour(p, "the pigment's colour");
 			pigment.lack = (struct pov_lack){ 0 };
 		} else {
-			skip_pattern(p, &pigment.lack, "pigment");
+			skip_pattern(p, &pigment.lack, "pigment", "give the pigment a plain colour");
 			break;
 		}
 	}
@@ -72,7 +70,7 @@ struct pov_normal *pov_read_normal(struct pov *p)
 		normal = *named;
 	while (!pov_failed(p) && (pov_accept(p, TOK_UV_MAPPING) || pov_transform(p, &unused)))
 		;
-	skip_pattern(p, &normal.lack, "normal");
+	skip_pattern(p, &normal.lack, "normal", "remove normal { }");
 	return pov_close(p, "normal") ? pov_copy(p, &normal, sizeof(normal)) : NULL;
 }
 
@@ -201,7 +199,7 @@ struct pov_texture *pov_read_texture(struct pov *p)
 		return NULL;
 	changed = texture_words(p, t);
 	if (!named && !changed)
-		skip_pattern(p, &t->lack, "texture");
+		skip_pattern(p, &t->lack, "texture", "use a texture with one pigment");
 	return pov_close(p, "texture") ? t : NULL;
 }
 

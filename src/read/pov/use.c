@@ -25,13 +25,15 @@ struct context {
 
 static bool use_object(struct pov *, struct pov_object *, const struct context *, uint32_t *index);
 
-static bool count_object(struct pov *p, const struct diag_pos *at)
+/* Before any of them is made. */
+static bool count_objects(struct pov *p, const struct pov_object *o)
 {
 	uint64_t limit = pov_state(p)->object_limit;
 
-	if (++pov_state(p)->objects <= limit)
+	pov_state(p)->objects += o->weight;
+	if (pov_state(p)->objects <= limit)
 		return true;
-	pov_fail_at(p, at, "too many objects: the limit is %llu (raise it with --limit objects=N)",
+	pov_fail_at(p, &o->object.pos, "too many objects: the limit is %llu (raise it with --limit objects=N)",
 		    (unsigned long long)limit);
 	return false;
 }
@@ -200,7 +202,7 @@ static bool use_object(struct pov *p, struct pov_object *o, const struct context
 	struct object *out;
 
 	*index = SCENE_NONE;
-	if (!count_object(p, &o->object.pos) || !check_place(p, o))
+	if (!check_place(p, o))
 		return false;
 	if (o->lack.construct) {
 		if (!pov_lack_use(p, &o->lack))
@@ -234,7 +236,7 @@ void pov_use_object(struct pov *p, struct pov_object *o)
 	struct context c = { .place = mat_identity };
 	uint32_t index;
 
-	if (!o || pov_failed(p))
+	if (!o || pov_failed(p) || !count_objects(p, o))
 		return;
 	if (use_object(p, o, &c, &index) && index != SCENE_NONE)
 		scene_add_root(pov_scene(p), index);

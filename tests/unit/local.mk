@@ -98,3 +98,11 @@ tests_unit_test_pov_items_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_pov_items_LDADD = $(UNIT_LIBS)
 TESTS += tests/unit/test_pov_items
 endif
+
+if HAVE_CMOCKA
+check_PROGRAMS += tests/unit/test_pov_mesh
+tests_unit_test_pov_mesh_SOURCES = tests/unit/test_pov_mesh.c tests/unit/pov_fixture.h
+tests_unit_test_pov_mesh_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_pov_mesh_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_pov_mesh
+endif

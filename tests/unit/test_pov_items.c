@@ -138,9 +138,9 @@ static void test_lights(void **unused)
 		{ "cylinder point_at <4,0,3>", "cylinder location < 4 2 3 > colour < 1 0.5 0.25 > parallel "
 		  "direction < 0 -1 0 > axis_length 2 radius 0.75 falloff 1 tightness 0\n" },
 		/* point_at is <0,0,1> if it is not given: measured too */
-		{ "translate <-4,-2,0> parallel", "parallel direction < 0 0 -1 >\n" },
-		{ "parallel point_at <4,0,3> rotate -90*z",
-		  "location < 2 -4 3 > colour < 1 0.5 0.25 > parallel direction < -1 0 0 >\n" },
+		{ "parallel", "parallel direction < -0.8164965809277261 -0.4082482904638631 " },
+		{ "parallel point_at <4,0,3> scale <1,-1,2>",
+		  "location < 4 -2 6 > colour < 1 0.5 0.25 > parallel direction < 0 1 0 >\n" },
 		{ "area_light <2,0,0>, <0,0,2>, 4, 3 adaptive 2 jitter circular orient area_illumination on",
 		  "area < 2 0 0 > by < 0 0 2 > points 4 3 adaptive 2 area_illumination jitter circular "
 		  "orient\n" },
@@ -250,7 +250,7 @@ static void test_textures(void **unused)
 	/* What is only declared is no error. */
 	expect_dump("#declare P = pigment { checker rgb 1 rgb 0 } #declare N = normal { bumps 1 } "
 		    "#declare T = texture { marble texture_map { [0 P] [1 P] } } "
-		    "#declare O = isosurface { function { x } } #declare D = difference { O O } "
+		    "#declare O = isosurface { function { x } } #declare D = difference { object { O } object { O } } "
 		    "#declare S = sky_sphere { pigment { P } } sphere { 0, 1 pigment { rgb x } }",
 		    ONE("1 0 0"), true);
 }
@@ -279,8 +279,8 @@ static void test_objects(void **unused)
 		{ "cylinder { 0, 2*y, 3 open }", "cone < 0 0 0 > radius 3 to < 0 2 0 > radius 3 open" },
 		{ "cone { 0, 1, 2*y, 0 }", "cone < 0 0 0 > radius 1 to < 0 2 0 > radius 0 " },
 		{ "plane { 2*y, 3 }", "plane < 0 1 0 > distance 3 " },
-		{ "disc { 1, -5*z, 2, .5 }", "disc < 1 1 1 > normal < 0 0 -1 > radius 2 hole 0.5 " },
-		{ "disc { 1, -5*z, 2 }", "radius 2 hole 0 " },
+		{ "disc { 1, <0,0,-5>, 2, .5 }", "disc < 1 1 1 > normal < 0 0 -1 > radius 2 hole 0.5 " },
+		{ "disc { 1, <0,0,-5>, 2 }", "radius 2 hole 0 " },
 		{ "torus { 3, 1 sturm }", "torus 3 minor 1 " },
 		{ "triangle { 0, x, y }", "mesh 0 vertices 3 triangles 1 smooth 0 normals 0" },
 		{ "smooth_triangle { 0, -z, x, <1,0,-1>, y, -z }", "triangles 1 smooth 1 normals 3" },
@@ -305,7 +305,7 @@ static void test_objects(void **unused)
 		  "object 1 sphere < 0 0 0 > radius 1 texture 0\n" },
 		{ "#declare A = sphere { 0, 1 } sphere { A scale 2 }", "place < 2 0 0 0 2 0 0 0 2 0 0 0 >" },
 		/* the add-on declares inside an object's braces */
-		{ "sphere { 0, 1 #declare T = texture { pigment { rgb x } } texture { T } }", ONE("1 0 0") },
+		{ "sphere { 0, 1 #declare T = texture { pigment { rgb x } }; texture { T } }", ONE("1 0 0") },
 		/* POV-Ray turns a scale of 0 into 1 */
 		{ "sphere { 0, 1 scale <2,0,2> }", "place < 2 0 0 0 1 0 0 0 2 0 0 0 >" },
 	};

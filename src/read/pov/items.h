@@ -130,9 +130,10 @@ struct pov_interior *pov_read_interior(struct pov *, const struct pov_interior *
 bool pov_read_material(struct pov *, struct pov_material *m);
 struct pov_camera *pov_read_camera(struct pov *);
 struct pov_object *pov_read_light(struct pov *);
-struct pov_object *pov_read_mesh(struct pov *); /* mesh; modifiers and } are left to the caller */
-struct pov_object *pov_read_mesh2(struct pov *); /* the same */
-struct pov_object *pov_read_triangle(struct pov *, bool smooth); /* the same */
+/* The inside of a mesh's or triangle's braces; modifiers and } are left to the caller. at: its keyword. */
+struct pov_object *pov_read_mesh(struct pov *, const struct diag_pos *at);
+struct pov_object *pov_read_mesh2(struct pov *, const struct diag_pos *at);
+struct pov_object *pov_read_triangle(struct pov *, const struct diag_pos *at, bool smooth);
 /* Any object; not one: NULL and nothing read, or after an error. */
 struct pov_object *pov_read_object(struct pov *);
 bool pov_starts_object(struct pov *);

@@ -439,14 +439,14 @@ static bool read_faces(struct pov *p, struct mesh_draft *d, struct mesh_array *l
 	return !pov_failed(p);
 }
 
-struct pov_object *pov_read_mesh(struct pov *p)
+struct pov_object *pov_read_mesh(struct pov *p, const struct diag_pos *at)
 {
 	struct mesh_array list = { .size = sizeof(struct pov_texture *) };
 	struct pov_object *o = NULL;
 	struct mesh_draft d;
 
 	mesh_draft_init(&d);
-	d.pos = pov_pos(p);
+	d.pos = *at;
 	if (read_faces(p, &d, &list)) {
 		d.list_count = (uint32_t)list.count;
 		d.list = list.count ? pov_copy(p, list.data, list.count * list.size) : NULL;
@@ -457,7 +457,7 @@ struct pov_object *pov_read_mesh(struct pov *p)
 	return o;
 }
 
-struct pov_object *pov_read_triangle(struct pov *p, bool smooth)
+struct pov_object *pov_read_triangle(struct pov *p, const struct diag_pos *at, bool smooth)
 {
 	const uint32_t none[3] = { SCENE_NONE, SCENE_NONE, SCENE_NONE };
 	struct pov_object *o = NULL;
@@ -465,7 +465,7 @@ struct pov_object *pov_read_triangle(struct pov *p, bool smooth)
 	struct mesh_draft d;
 
 	mesh_draft_init(&d);
-	d.pos = pov_pos(p);
+	d.pos = *at;
 	read_corners(p, &c, smooth);
 	if (!pov_failed(p) && add_corners(p, &d, &c) && mesh_add_texture(p, &d, none, 1)) {
 		d.smooth_count = smooth;

@@ -559,14 +559,14 @@ static bool read_indices_blocks(struct pov *p, struct mesh_draft *d, size_t uvs)
 	return !pov_failed(p);
 }
 
-struct pov_object *pov_read_mesh2(struct pov *p)
+struct pov_object *pov_read_mesh2(struct pov *p, const struct diag_pos *at)
 {
 	struct pov_object *o = NULL;
 	struct mesh_draft d;
 	size_t uvs = 0;
 
 	mesh_draft_init(&d);
-	d.pos = pov_pos(p);
+	d.pos = *at;
 	if (read_vectors(p, &d, &uvs) && read_faces(p, &d) && read_indices_blocks(p, &d, uvs))
 		o = mesh_finish(p, &d);
 	mesh_draft_release(&d);

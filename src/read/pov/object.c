@@ -376,6 +376,7 @@ static struct pov_object *read_unknown(struct pov *p, struct pov_object *o, cons
 /* The inside of the braces, up to the modifiers. */
 static struct pov_object *read_body(struct pov *p, struct pov_object *o, enum pov_token_kind t)
 {
+	const struct diag_pos *at = &o->object.pos;
 	const struct shape_word *s = find_shape(t);
 
 	switch (t) {
@@ -389,12 +390,12 @@ static struct pov_object *read_body(struct pov *p, struct pov_object *o, enum po
 	case TOK_COMPOSITE:
 		return read_union(p, o);
 	case TOK_MESH:
-		return pov_read_mesh(p);
+		return pov_read_mesh(p, at);
 	case TOK_MESH2:
-		return pov_read_mesh2(p);
+		return pov_read_mesh2(p, at);
 	case TOK_TRIANGLE:
 	case TOK_SMOOTH_TRIANGLE:
-		return pov_read_triangle(p, t == TOK_SMOOTH_TRIANGLE);
+		return pov_read_triangle(p, at, t == TOK_SMOOTH_TRIANGLE);
 	default:
 		o->object.kind = s->kind;
 		s->read(p, &o->object);

@@ -26,8 +26,8 @@ static const char *pattern_name(struct pov *p, const char *block)
 
 static void skip_pattern(struct pov *p, struct pov_lack *lack, const char *block, const char *remedy)
 {
-	if (pov_token(p) == TOK_RIGHT_BRACE || pov_token(p) == TOK_END)
-		return;
+	if (pov_token(p) != TOK_IDENT && pov_token(p) <= TOK_BACKSLASH)
+		return; /* neither a word nor a name that stands for something */
 	pov_lack_note(p, lack, pattern_name(p, block), remedy);
 	pov_skip_rest(p);
 }

@@ -92,6 +92,7 @@ TESTS += tests/unit/test_pov_core
 endif
 EXTRA_DIST += tests/pov/core
 
+if HAVE_CMOCKA
 check_PROGRAMS += tests/unit/test_pov_items
 tests_unit_test_pov_items_SOURCES = tests/unit/test_pov_items.c tests/unit/pov_fixture.h
 tests_unit_test_pov_items_CPPFLAGS = $(UNIT_CPPFLAGS)

@@ -107,6 +107,11 @@ static enum status refuse(struct reader *r, const char *what)
 			 "%s cannot be read here: convert the picture with oiiotool", what);
 }
 
+static uint64_t extent(int32_t min, int32_t max)
+{
+	return max < min ? 0 : (uint64_t)((int64_t)max - min + 1);
+}
+
 static enum status read_channels(struct reader *r)
 {
 	const exr_attr_chlist_t *list;
@@ -117,9 +122,13 @@ static enum status read_channels(struct reader *r)
 
 	if (rv)
 		return damaged(r, rv);
-	st = image_take(im, r->in, (uint64_t)((int64_t)r->display.max.x - r->display.min.x + 1),
-			(uint64_t)((int64_t)r->display.max.y - r->display.min.y + 1),
-			(uint64_t)list->num_channels);
+	/* The data window too: the library's chunks are as wide as it is. */
+	st = image_check(r->in, extent(r->data.min.x, r->data.max.x),
+			 extent(r->data.min.y, r->data.max.y), (uint64_t)list->num_channels);
+	if (!st)
+		st = image_take(im, r->in, extent(r->display.min.x, r->display.max.x),
+				extent(r->display.min.y, r->display.max.y),
+				(uint64_t)list->num_channels);
 	if (st)
 		return st;
 	for (int i = 0; i < list->num_channels; i++) {
@@ -184,6 +193,9 @@ static enum status decode_chunk(struct reader *r, const exr_chunk_info_t *info, 
 	size_t size = mem_product(plane, r->image->channels);
 	exr_result_t rv;
 
+	/* Lines and tiles may reach beyond the window. */
+	if (image_check(r->in, width, height, r->image->channels))
+		return STATUS_SCENE;
 	if (size > r->chunk_size) {
 		mem_free(r->chunk);
 		r->chunk_size = 0;

@@ -47,9 +47,10 @@ enum status oiio_write(const struct image_job *);
 /* Is the module there, and does it write files of that ending? */
 enum status oiio_can_write(const char *path, uint32_t bits, struct diag *);
 
-/* Checks the size that a file's header claims against the limits, then takes memory for it, not
- * cleared: the pages of a lying header are never touched. Names of 1 to 4 channels are set to Y,
- * YA, RGB, RGBA. */
+/* Is the size that a file's header claims within the limits? */
+enum status image_check(struct image_in *, uint64_t width, uint64_t height, uint64_t channels);
+/* Checks it and takes memory, not cleared: the pages of a lying header are never touched. Names of 1 to
+ * 4 channels are set to Y, YA, RGB, RGBA. */
 enum status image_take(struct image *, struct image_in *, uint64_t width, uint64_t height,
 		       uint64_t channels);
 /* "the file ends early" or the stream's error. */

@@ -182,8 +182,7 @@ void image_release(struct image *im)
 	im->pixel = NULL;
 }
 
-enum status image_take(struct image *im, struct image_in *in, uint64_t width, uint64_t height,
-		       uint64_t channels)
+enum status image_check(struct image_in *in, uint64_t width, uint64_t height, uint64_t channels)
 {
 	uint64_t pixels = in->limits.pixels ? in->limits.pixels : DEFAULT_PIXELS;
 	uint64_t limit = in->limits.bytes ? in->limits.bytes : DEFAULT_BYTES;
@@ -205,6 +204,17 @@ enum status image_take(struct image *im, struct image_in *in, uint64_t width, ui
 		return diag_fail(in->diag, STATUS_SCENE, &in->pos,
 				 "the picture would take %.0f MiB of memory; the limit is %.0f MiB",
 				 (double)bytes / 1048576.0, (double)limit / 1048576.0);
+	return STATUS_OK;
+}
+
+enum status image_take(struct image *im, struct image_in *in, uint64_t width, uint64_t height,
+		       uint64_t channels)
+{
+	enum status st = image_check(in, width, height, channels);
+	size_t bytes = sample_bytes(width, height, channels);
+
+	if (st)
+		return st;
 	im->pixel = mem_alloc(in->book, "pictures", bytes);
 	if (!im->pixel)
 		return diag_no_memory(in->diag, "a picture", bytes);

@@ -1,2 +1,3 @@
 dist_man_MANS += man/alidade.1
 dist_man_MANS += man/alidade-diff.1
+dist_man_MANS += man/alidade-accel.3

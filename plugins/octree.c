@@ -46,25 +46,43 @@ struct walk {
 	struct frame frame[DEPTH_MAX];
 };
 
-/* For counting only: which primitives this ray has met. */
-#define SEEN 8192
+/* For counting only: which primitives this ray has met. A ray that meets more than half of SEEN different
+ * ones has repeats of the others counted as first tests. */
+#define SEEN 4096
 struct seen {
-	uint32_t ray, used, id[SEEN], of[SEEN];
+	uint32_t ray, used;
+	struct {
+		uint32_t id, ray;
+	} slot[]; /* seen_slots() */
 };
+
+static uint32_t seen_slots(const ald_accel *a)
+{
+	uint32_t n = 16;
+
+	while (n < SEEN && n / 2 < a->prims->count)
+		n *= 2;
+	return n;
+}
+
+static size_t octree_scratch_size(const ald_accel *a)
+{
+	return sizeof(struct seen) + seen_slots(a) * (size_t)8;
+}
 
 static void seen_add(struct walk *w, uint32_t id)
 {
 	struct seen *s = w->seen;
-	uint32_t i = id * 2654435761u >> 19;
+	uint32_t n = seen_slots(w->a), i = (id * 2654435761u >> 16) & (n - 1);
 
-	while (s->of[i] == s->ray && s->id[i] != id)
-		i = (i + 1) % SEEN;
-	if (s->of[i] == s->ray) {
+	while (s->slot[i].ray == s->ray && s->slot[i].id != id)
+		i = (i + 1) & (n - 1);
+	if (s->slot[i].ray == s->ray) {
 		w->count[ALD_COUNT_REPEATS]++;
-	} else if (s->used < SEEN / 2) {
+	} else if (s->used < n / 2) {
 		s->used++;
-		s->of[i] = s->ray;
-		s->id[i] = id;
+		s->slot[i].ray = s->ray;
+		s->slot[i].id = id;
 	}
 }
 
@@ -275,8 +293,10 @@ ALD_INLINE int trace(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_h
 		count[ALD_COUNT_VOLUME_TESTS]++;
 		w.seen = q->scratch;
 		w.seen->used = 0;
-		if (!++w.seen->ray)
-			memset(w.seen, 0, sizeof(*w.seen)), w.seen->ray = 1;
+		if (!++w.seen->ray) { /* 2^32 rays later: slots of old would look new */
+			memset(w.seen, 0, octree_scratch_size(a));
+			w.seen->ray = 1;
+		}
 	}
 	if (!enter_root(&w))
 		return 0;
@@ -333,12 +353,6 @@ static int octree_occluded(const ald_accel *a, ald_query *q, const ald_ray *ray)
 
 	octree_occluded_n(a, q, ray, &hidden, 1, 0);
 	return hidden;
-}
-
-static size_t octree_scratch_size(const ald_accel *a)
-{
-	(void)a;
-	return sizeof(struct seen);
 }
 
 /* ---- what it looks like ---- */

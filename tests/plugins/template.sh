@@ -35,6 +35,18 @@ if [ -x "$ALIDADE" ]; then
 	ok "and with the new one" "$ALIDADE" -a ./mine.so -s 80x60 -o mine.ppm "$ALIDADE_SRC/tests/cli/scene.pov"
 	ok "the same bytes" cmp none.ppm mine.ppm
 fi
+
+# The example in alidade-accel(3).
+awk '/^\.Ed/ { exit } on { print } /^\.Bd -literal$/ { on = 1 }' "$ALIDADE_SRC/man/alidade-accel.3" |
+	sed 's/\\e/\\/g' >least.c
+# shellcheck disable=SC2046,SC2086 # words are wanted
+ok "the manual's example" ${CC:-cc} -std=c17 -O2 -Wall -Wextra -Werror -shared -fPIC \
+	$(pkg-config --cflags alidade-accel) -o least.so least.c
+ok "it is loaded too" "$ALIDADE_BUILD/tests/plugins/try" ./least.so
+if [ -x "$ALIDADE" ]; then
+	ok "a picture with it" "$ALIDADE" -a ./least.so -s 80x60 -o least.ppm "$ALIDADE_SRC/tests/cli/scene.pov"
+	ok "the same bytes again" cmp none.ppm least.ppm
+fi
 ok "install into the installed folder" make -s MAKEFLAGS= install
 ok "it is where plugins are" test -n "$(find "$root" -path '*/accel-1/mine.so')"
 tap_done

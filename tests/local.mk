@@ -9,7 +9,7 @@ SHELL_TESTS = tests/headers.sh tests/layers.sh tests/lint.sh tests/cli/table.sh 
 TESTS += $(SHELL_TESTS)
 EXTRA_DIST += $(SHELL_TESTS) tests/tap.sh tests/cli
 include tests/images/local.mk
-EXTRA_DIST += $(SHELL_TESTS) tests/tap.sh tests/cli/pages.sh tests/cli/scene.pov
 include tests/plugins/local.mk
 include tests/numerics/local.mk
 include tests/blender/local.mk
+include tests/features/local.mk

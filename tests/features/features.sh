@@ -10,8 +10,8 @@ cd "$ALIDADE_SRC/tests/features" || exit 99
 compare()
 {
 	"$ALIDADE" -q --progress=none -s 96x72 --aa none -o "$tap_dir/$1.exr" "$1.pov" &&
-		"$ALIDADE_BUILD/tools/alidade-diff" --channels=rgb --fail 0.00393 --failpercent 0.5 \
-			--warn 1 "$tap_dir/$1.exr" "$1.exr"
+		"$ALIDADE_BUILD/tools/alidade-diff" --srgb --channels=rgb --fail=1/255 --failpercent=0.5 \
+			--warn=1 --warnpercent=100 --max-mean=0.0005 "$1.exr" "$tap_dir/$1.exr"
 }
 
 for scene in *.pov; do

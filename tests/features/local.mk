@@ -1,0 +1,2 @@
+TESTS += tests/features/features.sh
+EXTRA_DIST += tests/features

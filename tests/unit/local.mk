@@ -90,7 +90,6 @@ tests_unit_test_pov_core_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_pov_core_LDADD = $(UNIT_LIBS)
 TESTS += tests/unit/test_pov_core
 endif
-EXTRA_DIST += tests/pov/core
 
 if HAVE_CMOCKA
 check_PROGRAMS += tests/unit/test_pov_items
@@ -107,3 +106,4 @@ tests_unit_test_pov_mesh_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_pov_mesh_LDADD = $(UNIT_LIBS)
 TESTS += tests/unit/test_pov_mesh
 endif
+EXTRA_DIST += tests/pov/core tests/fuzz/pov.py

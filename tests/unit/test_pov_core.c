@@ -197,6 +197,8 @@ static void harmless(void **state)
 		"declare A = 1; default { finish { ambient 0 } } version 3.7;",
 		"#version 3.7; ;;",
 		"\xef\xbb\xbf#declare A = 1;",
+		"#declare F = <0,1,2>; mesh2 { vertex_vectors { 4, 0, x, y, x+y } "
+		"face_indices { 2, F+0, F+1, } }",
 		"sphere { <0,0,0>, 1 #declare A = 3; scale A #undef A }#",
 	};
 	static struct heard h;

@@ -28,6 +28,20 @@ bool pov_starts_number(struct pov *p)
 	}
 }
 
+bool pov_starts_vector(struct pov *p)
+{
+	switch (pov_token(p)) {
+	case TOK_LEFT_ANGLE:
+		return true;
+	case TOK_IDENT:
+		return p->tok.value.kind == SLOT_NUMBER && p->tok.value.u.number.count > 1;
+	case TOK_NEW_IDENT: case TOK_UNSET: case TOK_END:
+		return false;
+	default:
+		return p->tok.atom && p->tok.atom->class == KEYWORD_VECTOR;
+	}
+}
+
 void pov_comma(struct pov *p)
 {
 	pov_accept(p, TOK_COMMA);

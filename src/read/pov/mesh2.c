@@ -342,7 +342,7 @@ static bool read_face(struct pov *p, struct list *l)
 		((uint32_t *)a->data)[3 * a->count + (size_t)i] = v[i];
 	a->count++;
 	pov_comma(p);
-	while (count < 3 && pov_token(p) != TOK_LEFT_ANGLE && pov_starts_number(p)) {
+	while (count < 3 && !pov_starts_vector(p) && pov_starts_number(p)) {
 		if (!read_texture_number(p, l, &t[count++]))
 			return false;
 		pov_comma(p);

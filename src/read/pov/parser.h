@@ -77,6 +77,7 @@ bool pov_bool(struct pov *, bool if_absent); /* optional on/off after a flag key
 uint32_t pov_count(struct pov *, const char *what, uint32_t min, uint64_t max);
 void pov_comma(struct pov *);
 bool pov_starts_number(struct pov *); /* could the current token begin a numeric expression? */
+bool pov_starts_vector(struct pov *); /* and can that only be a vector? (F + 1 with a vector F) */
 
 /* Transforms (3.3.1.12.4): true if the current token begins one (translate, rotate, scale, matrix,
  * transform), which is then applied after *x. */

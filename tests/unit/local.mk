@@ -107,3 +107,5 @@ tests_unit_test_pov_mesh_LDADD = $(UNIT_LIBS)
 TESTS += tests/unit/test_pov_mesh
 endif
 EXTRA_DIST += tests/pov/core tests/fuzz/pov.py
+
+EXTRA_DIST += tests/pov/blender

@@ -354,6 +354,167 @@ static void test_settings(void **unused)
 		    "sphere", true);
 }
 
+/* Whole files as Blender's add-on wrote them (tests/pov/blender/export.py). */
+static void read_export(struct fixture *f, const char *name)
+{
+	const struct read_options options = { 0 };
+	const char *srcdir = getenv("srcdir");
+	static char bytes[1 << 20];
+	char path[1024];
+	size_t size;
+	FILE *file;
+
+	snprintf(path, sizeof(path), "%s/tests/pov/blender/%s.pov", srcdir ? srcdir : ".", name);
+	file = fopen(path, "rb");
+	if (!file)
+		fail_msg("cannot open %s", path);
+	size = fread(bytes, 1, sizeof(bytes), file);
+	fclose(file);
+	fixture_read_bytes(f, bytes, size, &options);
+	if (f->status)
+		fail_msg("%s: %s", name, f->messages);
+	fixture_dump(f, 0);
+}
+
+static void test_exports(void **unused)
+{
+	static const char *const want[][2] = {
+		{ "default", "camera perspective location < 7.358891 4.95831 6.925791 >" },
+		{ "default", "light 0 point location < 4.076245 5.903862 -1.005454 > colour < 1 1 1 > "
+			     "fade_distance 3.872982 fade_power 2\n" },
+		/* texture { } is #default's srgb 0.8; flat faces need no normals */
+		{ "default", "mesh 0 vertices 8 triangles 12 smooth 0 normals 0 textures_per_face 0\n" },
+		{ "default", "interior 0 ior 1.3 caustics 0.15 " },
+		{ "default", "object 0 mesh 0 texture 0 interior 0 place < 1 0 0 0 0 -1 0 1 0 0 0 0 >\n" },
+		{ "default", "pigment colour < 0.60382" },
+		{ "ortho", "camera orthographic location < 7.358891 4.95831 6.925791 >" },
+		{ "many", "light 0 point location < -4 5 0 > colour < 1 1 1 > area < 1 0 0 > by < 0 0 -1 > "
+			  "points 1 1 area_illumination fade_distance 50 fade_power 2\n" },
+		{ "many", "light 2 spot location < 4 6 0 > colour < 1 1 1 > direction < 0 -1 0 > "
+			  "axis_length 1 radius 19.125 falloff 22.5 tightness 0 " },
+		{ "many", "light 3 point location < 0 9 0 > colour < 1 1 1 > parallel direction < 0 -1 0 >" },
+		{ "many", "mesh 0 vertices 8 triangles 12 smooth 0 normals 0 textures_per_face 3\n" },
+		{ "many", "mesh 1 vertices 42 triangles 80 smooth 80 normals 42 textures_per_face 1\n" },
+		{ "many", "object 1 mesh 1 interior 1 next 2 place" },
+		{ "many", "object 2 mesh 1 interior 1 next 3 place < 1 0 0 0 0 1 0 0.5 0 2.5 0 0 >\n" },
+		{ "many", "texture 25 layers 1\n  pigment colour < 0.8" },
+	};
+
+	(void)unused;
+	for (size_t i = 0; i < sizeof(want) / sizeof(want[0]); i++) {
+		struct fixture f;
+
+		read_export(&f, want[i][0]);
+		if (!strstr(f.dump, want[i][1]))
+			fail_msg("%s: '%s' was expected in\n%s", want[i][0], want[i][1], f.dump);
+		/* Radiosity is the one thing that is not rendered, and said once. */
+		if (f.scene.radiosity)
+			assert_string_equal(f.messages, "14:5: warning: radiosity: indirect light is not "
+						       "rendered yet\n");
+		else
+			assert_string_equal(f.messages, "");
+		fixture_release(&f);
+	}
+}
+
+/* What is used and cannot be rendered: its place and name; with --lenient a warning, and the rest. */
+static void test_unsupported(void **unused)
+{
+	static const char *const row[][2] = {
+		{ "isosurface { function { x } }", "1:1: error: isosurface is" },
+		{ "difference { sphere { 0, 1 } box { 0, 1 } }", "1:1: error: difference is" },
+		{ "text { ttf \"a.ttf\" \"Hi\" 1, 0 }", "1:1: error: text is" },
+		{ "sphere { 0, 1\n pigment { checker rgb 1 rgb 0 } }", "2:12: error: checker in a pigment is" },
+		{ "#declare P = pigment { bozo }\nsphere { 0, 1 pigment { P } }", "1:24: error: bozo in a" },
+		{ "sphere { 0, 1\n pigment { image_map { png \"a.png\" } } }", "2:12: error: image_map in a" },
+		{ "sphere { 0, 1\n normal { bumps 1 } }", "2:11: error: bumps in a normal is" },
+		{ "sphere { 0, 1\n texture { marble texture_map { [0 rgb 1] } } }", "2:12: error: marble in a" },
+		{ "sky_sphere { pigment { rgb 1 } }", "1:1: error: sky_sphere is" },
+		{ "fog { distance 1 rgb 1 }", "1:1: error: fog is" },
+		{ "rainbow { }", "1:1: error: rainbow is" },
+		{ "media { emission 1 }", "1:1: error: media is" },
+		{ "sphere { 0, 1 clipped_by { plane { y, 0 } } }", "1:15: error: clipped_by is" },
+		{ "union { sphere { 0, 1 } inverse }", "1:25: error: inverse of a union is" },
+		{ "light_source { 0, 1 looks_like { sphere { 0, 1 } } }", "1:21: error: looks_like is" },
+		{ "light_source { 0, 1 projected_through { sphere { 0, 1 } } }", "1:21: error: projected_thr" },
+		{ "sphere { 0, 1 finish { irid { 0.3 } } }", "1:24: error: irid is" },
+		{ "sphere { 0, 1 finish { crand 0.3 } }", "1:24: error: crand is" },
+		{ "sphere { 0, 1 finish { ior 1.3 } }", "1:24: error: ior in a finish is" },
+		{ "global_settings { photons { count 10 } } sphere { 0, 1 photons { target } }",
+		  "1:19: error: photons is" },
+		{ "global_settings { subsurface { } } sphere { 0, 1 finish { subsurface { } } }",
+		  "error: subsurface light transport is" },
+		{ "sphere { 0, 1 hollow interior { media { emission 1 } } }", "1:33: error: media is" },
+		{ "sphere { 0, 1 interior { dispersion 1.1 } }", "1:26: error: dispersion is" },
+		{ "camera { fisheye angle 200 }", "1:10: error: fisheye camera is" },
+		{ "camera { panoramic }", "1:10: error: panoramic camera is" },
+		{ "camera { aperture 1 blur_samples 10 }", "error: focal blur is" },
+		{ "camera { normal { bumps 1 } }", "1:10: error: camera normal is" },
+	};
+
+	(void)unused;
+	for (size_t i = 0; i < sizeof(row) / sizeof(row[0]); i++) {
+		struct fixture f;
+
+		fixture_read(&f, row[i][0], false);
+		if (f.status != STATUS_SCENE || !strstr(f.messages, row[i][1]) || f.diag.errors != 1)
+			fail_msg("%s gave %d\n%s, not\n%s", row[i][0], f.status, f.messages, row[i][1]);
+		fixture_release(&f);
+		fixture_read(&f, row[i][0], true);
+		if (f.status || f.diag.warnings != 1)
+			fail_msg("%s leniently gave %d\n%s", row[i][0], f.status, f.messages);
+		fixture_release(&f);
+	}
+}
+
+static void test_errors(void **unused)
+{
+	static const char *const row[][2] = {
+		{ "sphere { 0,\n -1 }", "2:2: error: the sphere's radius is -1, but cannot be negative\n" },
+		{ "sphere { 0, 1e308*10 }", "1:13: error: " },
+		{ "cylinder { y, y, 1 }", "1:1: error: the cylinder has both its ends at one point\n" },
+		{ "cone { 0, 0, y, 0 }", "1:1: error: the cone's radius is 0\n" },
+		{ "plane { 0, 1 }", "1:9: error: the plane's normal has no direction\n" },
+		{ "disc { 0, 0, 1 }", "1:11: error: the disc's normal has no direction\n" },
+		{ "object { }", "1:10: error: an object is expected in object { ... }, not }\n" },
+		{ "sphere { 0, 1 pigmnt { } }", "1:15: error: the undeclared identifier pigmnt is not expected" },
+		{ "sphere { 0, 1 texture { T } }", "1:25: error: the undeclared identifier T is not expected" },
+		{ "sphere { 0, 1 pigment { rgb 1 }", "error: the file ends inside sphere { ... }: a } is" },
+		{ "camera { angle 180 }", "1:16: error: angle is 180, but has to be below 180 degrees\n" },
+		{ "camera { angle -1 }", "1:16: error: angle is -1, but cannot be negative\n" },
+		{ "camera { location 1 look_at 1 }", "1:29: error: look_at is the camera's location" },
+		{ "camera { right x up x }", "1:1: error: the camera's right, up and direction lie in one" },
+		{ "light_source { 0, 1 point_at y }", "1:21: error: point_at is for a spotlight" },
+		{ "light_source { 0, 1 radius 3 }", "1:21: error: radius is for a spotlight" },
+		{ "light_source { y, 1 spotlight point_at y }", "1:1: error: the light's point_at is its" },
+		{ "light_source { y, 1 area_light x, z, 1, 4 circular }", "error: a circular area_light needs" },
+		{ "light_source { y, 1 area_light x, z, 0, 4 }", "1:38: error: 0 points along" },
+		{ "sphere { 0, 1 finish { roughness -1 } }", "1:34: error: roughness is -1" },
+		{ "sphere { 0, 1 finish { reflection { 1 exponent 0 } } }", "1:48: error: reflection's exponent" },
+		{ "global_settings { assumed_gamma 0 }", "1:33: error: assumed_gamma is 0" },
+		{ "sphere { 0, 1 scale <1e200,1,1> scale <1e200,1,1> }", "error: the object's transforms have no" },
+		{ "sphere { 0, 1 interior { ior 0 } }", "1:30: error: ior is 0" },
+		{ "pigment { rgb 1 }", "1:1: error: pigment cannot stand here" },
+		{ "#declare A = location;", "1:14: error: location cannot be declared\n" },
+		{ "#default { texture { pigment { rgb 1 } } texture { } finish { ambient 1 } } #declare "
+		  "T = texture { } texture { } #default { texture { T } }", "error: #default takes no layered" },
+		{ "#declare A = sphere { 0, 1 } #declare I = 0; #while (I < 40) #declare A = union { object { A } "
+		  "object { A } } #declare I = I + 1; #end object { A }", "error: too many objects: the limit is" },
+		{ "#declare A = sphere { 0, 1 } #declare I = 0; #while (I < 2000) #declare A = union { object { A } "
+		  "} #declare I = I + 1; #end object { A }", "error: unions stand in unions more than 1000 deep" },
+	};
+
+	(void)unused;
+	for (size_t i = 0; i < sizeof(row) / sizeof(row[0]); i++) {
+		struct fixture f;
+
+		fixture_read(&f, row[i][0], false);
+		if (f.status != STATUS_SCENE || !strstr(f.messages, row[i][1]) || f.diag.errors != 1)
+			fail_msg("%s gave %d\n%s, not\n%s", row[i][0], f.status, f.messages, row[i][1]);
+		fixture_release(&f);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -361,6 +522,8 @@ int main(void)
 		cmocka_unit_test(test_finishes), cmocka_unit_test(test_textures),
 		cmocka_unit_test(test_defaults), cmocka_unit_test(test_objects),
 		cmocka_unit_test(test_unions),	 cmocka_unit_test(test_settings),
+		cmocka_unit_test(test_exports),	 cmocka_unit_test(test_unsupported),
+		cmocka_unit_test(test_errors),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -141,7 +141,7 @@ static bool read_type(struct pov *p, struct draft *d)
 static void read_angle(struct pov *p, struct draft *d)
 {
 	pov_next(p);
-	d->angle_pos = pov_pos(p);
+	d->angle_pos = pov_here(p);
 	d->has_angle = true;
 	d->angle = 0;
 	/* The add-on writes the word alone in orthographic cameras. */
@@ -164,7 +164,7 @@ static void read_angle(struct pov *p, struct draft *d)
 static void read_look_at(struct pov *p, struct draft *d)
 {
 	pov_next(p);
-	d->look_pos = pov_pos(p);
+	d->look_pos = pov_here(p);
 	d->look_at = pov_finite_vector(p, "look_at");
 	d->has_look_at = true;
 	if (pov_version(p) < 350 && !pov_failed(p))
@@ -309,7 +309,7 @@ struct pov_camera *pov_read_camera(struct pov *p)
 	struct draft d = draft_default();
 	struct pov_camera *c;
 
-	d.pos = pov_pos(p);
+	d.pos = pov_here(p);
 	if (!pov_open(p))
 		return NULL;
 	read_body(p, &d);

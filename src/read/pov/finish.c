@@ -39,7 +39,7 @@ static void read_roughness(struct pov *p, struct finish *f)
 	struct diag_pos at;
 
 	pov_next(p);
-	at = pov_pos(p);
+	at = pov_here(p);
 	f->roughness = pov_finite_float(p, "roughness");
 	if (f->roughness < 0) {
 		pov_fail_at(p, &at, "roughness is %g, but cannot be negative", f->roughness);

@@ -87,6 +87,12 @@ bool pov_starts_colour(struct pov *p)
 	}
 }
 
+struct diag_pos pov_here(struct pov *p)
+{
+	pov_token(p);
+	return pov_pos(p);
+}
+
 void *pov_new(struct pov *p, size_t bytes)
 {
 	void *item = arena_zalloc(pov_arena(p), bytes);
@@ -107,7 +113,7 @@ void *pov_copy(struct pov *p, const void *item, size_t bytes)
 
 double pov_finite_float(struct pov *p, const char *what)
 {
-	struct diag_pos at = pov_pos(p);
+	struct diag_pos at = pov_here(p);
 	double x = pov_float(p);
 
 	if (!isfinite(x)) {
@@ -119,7 +125,7 @@ double pov_finite_float(struct pov *p, const char *what)
 
 double pov_positive(struct pov *p, const char *what)
 {
-	struct diag_pos at = pov_pos(p);
+	struct diag_pos at = pov_here(p);
 	double x = pov_finite_float(p, what);
 
 	if (!pov_failed(p) && !(x > 0)) {
@@ -131,7 +137,7 @@ double pov_positive(struct pov *p, const char *what)
 
 vec pov_finite_vector(struct pov *p, const char *what)
 {
-	struct diag_pos at = pov_pos(p);
+	struct diag_pos at = pov_here(p);
 	vec v = pov_vector(p);
 
 	if (!vec_finite(v)) {
@@ -143,7 +149,7 @@ vec pov_finite_vector(struct pov *p, const char *what)
 
 struct rgbft pov_finite_colour(struct pov *p, const char *what)
 {
-	struct diag_pos at = pov_pos(p);
+	struct diag_pos at = pov_here(p);
 	struct rgbft c = pov_colour(p);
 
 	if (!isfinite(c.r) || !isfinite(c.g) || !isfinite(c.b) || !isfinite(c.filter) ||
@@ -343,7 +349,7 @@ void pov_default(struct pov *p)
 {
 	while (!pov_failed(p)) {
 		struct pov_texture *t = pov_default_texture(p);
-		struct diag_pos at = pov_pos(p);
+		struct diag_pos at = pov_here(p);
 		struct pov_camera *c;
 
 		switch (pov_token(p)) {

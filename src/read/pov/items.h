@@ -110,6 +110,7 @@ void pov_skip_rest(struct pov *);
 /* If the current token is an identifier that holds an item of this kind, pass it and return the item. */
 void *pov_take(struct pov *, enum pov_item_kind);
 bool pov_starts_colour(struct pov *);
+struct diag_pos pov_here(struct pov *); /* where the next token stands, also if it is not yet looked at */
 /* Memory in the parser's arena, cleared; reports when there is none. */
 void *pov_new(struct pov *, size_t bytes);
 void *pov_copy(struct pov *, const void *item, size_t bytes);

@@ -126,7 +126,7 @@ static bool read_area_word(struct pov *p, struct draft *d)
 		return true;
 	case TOK_ADAPTIVE:
 		pov_next(p);
-		at = pov_pos(p);
+		at = pov_here(p);
 		x = pov_finite_float(p, "adaptive");
 		if (x < 0 || x > 100)
 			pov_fail_at(p, &at, "adaptive is %g, but has to be from 0 to 100", x);
@@ -216,7 +216,7 @@ struct pov_object *pov_read_light(struct pov *p)
 				  .size2 = 1,
 				  .axis1 = { 0, 0, 1 },
 				  .axis2 = { 0, 1, 0 },
-				  .pos = pov_pos(p) };
+				  .pos = pov_here(p) };
 	o = pov_object_new(p, SHAPE_UNION, &d.light.pos);
 	if (!o || !pov_open(p))
 		return NULL;

@@ -185,7 +185,7 @@ static bool read_normals(struct pov *p, struct mesh_draft *d)
 {
 	static const struct list_kind kind = { scan_normals, read_normal };
 	struct list l = { .name = "normal_vectors", .d = d };
-	struct diag_pos at = pov_pos(p);
+	struct diag_pos at = pov_here(p);
 
 	if (d->normal.count) {
 		pov_fail(p, "the mesh has a second normal_vectors");
@@ -219,7 +219,7 @@ static const char *scan_uvs(struct pov *p, struct list *l, const char *at, const
 
 static bool read_uv(struct pov *p, struct list *l)
 {
-	struct diag_pos at = pov_pos(p);
+	struct diag_pos at = pov_here(p);
 	double u, v;
 
 	(void)l;
@@ -244,7 +244,7 @@ static bool read_uvs(struct pov *p, struct mesh_draft *d, size_t *count)
 
 static bool read_indices(struct pov *p, const struct list *l, uint32_t out[3])
 {
-	struct diag_pos at = pov_pos(p);
+	struct diag_pos at = pov_here(p);
 	vec v = pov_vector(p);
 	const double i[3] = { v.x, v.y, v.z };
 
@@ -309,7 +309,7 @@ static const char *scan_faces(struct pov *p, struct list *l, const char *at, con
 
 static bool read_texture_number(struct pov *p, struct list *l, uint32_t *out)
 {
-	struct diag_pos at = pov_pos(p);
+	struct diag_pos at = pov_here(p);
 	double x = pov_float(p), whole = trunc(x);
 
 	if (pov_failed(p))
@@ -332,7 +332,7 @@ static bool read_texture_number(struct pov *p, struct list *l, uint32_t *out)
 static bool read_face(struct pov *p, struct list *l)
 {
 	struct mesh_array *a = &l->d->index;
-	struct diag_pos at = pov_pos(p);
+	struct diag_pos at = pov_here(p);
 	uint32_t t[3], v[3];
 	int count = 0;
 
@@ -431,7 +431,7 @@ static bool read_normal_indices(struct pov *p, struct mesh_draft *d)
 			  .d = d,
 			  .below = (uint32_t)d->normal.count,
 			  .of = "normals" };
-	struct diag_pos at = pov_pos(p);
+	struct diag_pos at = pov_here(p);
 
 	if (!read_count(p, &l, 0))
 		return false;
@@ -451,7 +451,7 @@ static bool read_uv_indices(struct pov *p, struct mesh_draft *d, size_t uvs)
 			  .d = d,
 			  .below = uvs ? (uint32_t)uvs : 1,
 			  .of = "uv vectors" };
-	struct diag_pos at = pov_pos(p);
+	struct diag_pos at = pov_here(p);
 
 	if (!read_count(p, &l, 0))
 		return false;

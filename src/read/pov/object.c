@@ -27,7 +27,7 @@ struct pov_object *pov_object_new(struct pov *p, enum shape_kind kind, const str
 
 static double read_radius(struct pov *p, const char *what)
 {
-	struct diag_pos at = pov_pos(p);
+	struct diag_pos at = pov_here(p);
 	double r = pov_finite_float(p, what);
 
 	if (r < 0)
@@ -90,7 +90,7 @@ static void read_cone(struct pov *p, struct object *o)
 
 static void read_plane(struct pov *p, struct object *o)
 {
-	struct diag_pos at = pov_pos(p);
+	struct diag_pos at = pov_here(p);
 	vec n = pov_finite_vector(p, "the plane's normal");
 	double length = vec_length(n);
 
@@ -111,7 +111,7 @@ static void read_disc(struct pov *p, struct object *o)
 
 	o->shape.disc.centre = pov_finite_vector(p, "the disc's centre");
 	pov_comma(p);
-	at = pov_pos(p);
+	at = pov_here(p);
 	n = pov_finite_vector(p, "the disc's normal");
 	if (!pov_failed(p) && !(vec_length(n) > 0 && isfinite(vec_length(n)))) {
 		pov_fail_at(p, &at, "the disc's normal has no direction");
@@ -429,7 +429,7 @@ static struct pov_object *read_block(struct pov *p, enum pov_token_kind t, struc
 
 struct pov_object *pov_read_object(struct pov *p)
 {
-	struct diag_pos at = pov_pos(p);
+	struct diag_pos at = pov_here(p);
 	enum pov_token_kind t = pov_token(p);
 
 	if (t == TOK_IDENT)

@@ -17,7 +17,7 @@ static void read_gamma(struct pov *p)
 		pov_fail(p, "assumed_gamma srgb is not rendered; 1.0 is what POV-Ray advises");
 		return;
 	}
-	at = pov_pos(p);
+	at = pov_here(p);
 	g = pov_positive(p, "assumed_gamma");
 	if (pov_failed(p))
 		return;
@@ -34,7 +34,7 @@ static void read_trace_level(struct pov *p)
 	double x;
 
 	pov_next(p);
-	at = pov_pos(p);
+	at = pov_here(p);
 	x = pov_finite_float(p, "max_trace_level");
 	if (pov_failed(p))
 		return;

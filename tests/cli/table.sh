@@ -77,7 +77,23 @@ check()
 	done
 }
 
+# Every accelerator that is listed, with its parameters, is in the page.
+accels_in_page()
+{
+	"$ALIDADE" --list-accels >accels || return 1
+	sed -n '/^\.Sh ACCELERATORS/,/^\.Sh REPORTS/p' "$ALIDADE_SRC/man/alidade.1" >section
+	sed -n 's/^\([a-z][a-z0-9-]*\) .*/\1/p' accels | while read -r name; do
+		grep -q "^\.It Cm $name\$" section || echo "$name is not in the page"
+	done >lacking
+	sed -n 's/^ *\([a-z][a-z0-9-]*\)=.*/\1/p' accels | while read -r name; do
+		grep -q "^\.Cm $name\$" section || echo "the parameter $name is not in the page"
+	done >>lacking
+	cat lacking
+	[ ! -s lacking ]
+}
+
 check "$ALIDADE" "$ALIDADE_SRC/man/alidade.1"
+ok "alidade: page and --list-accels" accels_in_page
 if command -v bash >/dev/null; then
 	reads "$ALIDADE" bash
 	is "bash offers options" "$(offers alidade --st)" "--stats "

@@ -13,3 +13,4 @@ include tests/plugins/local.mk
 include tests/numerics/local.mk
 include tests/blender/local.mk
 include tests/features/local.mk
+include tests/bench/local.mk

@@ -1,0 +1,33 @@
+#!/bin/sh
+# SPDX-FileCopyrightText: 2026 The Alidade authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# Measurements, behind ./dev bench. They print tables; no test depends on a time.
+#
+#	run.sh lecture [--runs N]              what the lecture counted, see lecture.py
+#	run.sh povray [--runs N] [--threads N] against POV-Ray, see povray.py
+set -u
+: "${ALIDADE_SRC:=$(cd "$(dirname "$0")/../.." && pwd)}"
+: "${ALIDADE_BUILD:=$ALIDADE_SRC/build}"
+: "${ALIDADE:=$ALIDADE_BUILD/src/alidade}"
+: "${ALIDADE_ACCEL_PATH:=$ALIDADE_BUILD/plugins/.libs}"
+export ALIDADE ALIDADE_SRC ALIDADE_BUILD ALIDADE_ACCEL_PATH PYTHONDONTWRITEBYTECODE=1
+which=${1:-both}
+[ $# -eq 0 ] || shift
+case $which in
+lecture) ;;
+povray | both)
+	command -v povray >/dev/null || {
+		echo "bench: povray is not installed; ./dev deps installs it" >&2
+		exit 1
+	}
+	mkdir -p "$ALIDADE_BUILD/scenes"
+	sh "$ALIDADE_SRC/scenes/export.sh" --missing --into "$ALIDADE_BUILD/scenes" landscape || exit 1
+	;;
+*)
+	echo "Usage: ./dev bench [lecture|povray] [--runs N] [--threads N]" >&2
+	exit 2
+	;;
+esac
+[ "$which" = povray ] || python3 "$ALIDADE_SRC/tests/bench/lecture.py" "$@" || exit
+[ "$which" = lecture ] || exec python3 "$ALIDADE_SRC/tests/bench/povray.py" "$@"

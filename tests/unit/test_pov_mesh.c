@@ -131,11 +131,11 @@ static void test_normals(void **unused)
 	expect(VERTICES N2 "face_indices { 1, <0,1,2> } normal_indices { 1, <1,1,1> } }",
 	       "triangles 1 smooth 0 normals 0", true);
 	/* Smooth ones first, with all that belongs to them; without area: gone. */
-	expect(VERTICES N2 T3 "face_indices { 4, <0,1,2>, 0, <1,1,2>, 1, <1,2,3>, 2, <0,2,3>, 1 } "
+	expect(VERTICES N2 T3 "face_indices { 5, <0,1,2>, 0, <1,1,2>, 1, <1,2,3>, 2, <0,2,3>, 1, <0,1,3>, 1 } "
 	       "normal_indices { 4, <1,1,1>, <0,1,2>, <2,1,0>, <0,0,1> } }",
-	       "  triangle 0 1 2 3\n  triangle 1 0 2 3\n  triangle 2 0 1 2\n"
+	       "  triangle 0 1 2 3\n  triangle 1 0 2 3\n  triangle 2 0 1 2\n  triangle 3 0 1 3\n"
 	       "  normal_index 0 2 1 0\n  normal_index 1 0 0 1\n"
-	       "  texture 0 0\n  texture 1 1\n  texture 2 2\n", true);
+	       "  texture 0 0\n  texture 1 1\n  texture 2 2\n  texture 3 1\n", true);
 	expect_message(VERTICES "face_indices { 3, <0,1,2>, <1,1,2>, <2,2,2> } }",
 		       "1:1: warning: 2 triangles of the mesh have no area and are left out\n", STATUS_OK);
 	expect_message(VERTICES "face_indices { 1, <1,1,2> } } sphere { 0, 1 }",

@@ -8,6 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -121,6 +122,40 @@ static void test_limits(void **state)
 	}
 }
 
+/* The page states each limit as "It Cm NAME", then words, then ": NUMBER". */
+static void test_page_states_the_limits(void **state)
+{
+	const char *source = getenv("ALIDADE_SRC");
+	static char page[1 << 17];
+	char path[4096], name[64];
+	FILE *f;
+
+	(void)state;
+	if (!source)
+		skip();
+	snprintf(path, sizeof(path), "%s/man/alidade.1", source);
+	f = fopen(path, "r");
+	assert_non_null(f);
+	page[fread(page, 1, sizeof(page) - 1, f)] = 0;
+	fclose(f);
+	for (size_t i = 0; i < read_limit_count; i++) {
+		const char *at, *end, *colon = NULL;
+
+		snprintf(name, sizeof(name), ".It Cm %s\n", read_limit_table[i].name);
+		at = strstr(page, name);
+		assert_non_null(at);
+		at += strlen(name);
+		end = strstr(at, "\n.It "); /* the list is not the page's last */
+		assert_non_null(end);
+		for (const char *c = at; c < end; c++) {
+			if (!strncmp(c, ": ", 2))
+				colon = c;
+		}
+		assert_non_null(colon);
+		assert_true(strtod(colon + 2, NULL) == read_limit_table[i].value);
+	}
+}
+
 static void test_defaults(void **state)
 {
 	const struct read_job none = { 0 };
@@ -183,7 +218,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_all_options), cmocka_unit_test(test_mistakes),
-		cmocka_unit_test(test_limits), cmocka_unit_test(test_defaults), cmocka_unit_test(test_job),
+		cmocka_unit_test(test_limits), cmocka_unit_test(test_page_states_the_limits), cmocka_unit_test(test_defaults), cmocka_unit_test(test_job),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

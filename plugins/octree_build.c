@@ -50,12 +50,12 @@ static void *take(const ald_host *host, uint64_t n, size_t each, const char *wha
 	return host->alloc(host->ctx, n ? (size_t)n * each : 1, what);
 }
 
-static uint32_t sides(double lo, double hi, double c, double pad, uint32_t low, uint32_t high)
+ALD_INLINE uint32_t sides(double lo, double hi, double c, double pad, uint32_t low, uint32_t high)
 {
 	return (lo <= c + pad ? low : 0) | (hi >= c - pad ? high : 0);
 }
 
-static uint32_t box_children(const ald_box *b, const struct cell *cell, double pad)
+ALD_INLINE uint32_t box_children(const ald_box *b, const struct cell *cell, double pad)
 {
 	return sides(b->lo.x, b->hi.x, cell->c[0], pad, 0x55, 0xaa) &
 	       sides(b->lo.y, b->hi.y, cell->c[1], pad, 0x33, 0xcc) &
@@ -78,7 +78,7 @@ ALD_INLINE void keep_touching(m8 *in, const double n[3], const double h[3], doub
 
 /* The separating axes of a triangle and eight cells at once; q: corners as seen from where the cells
  * meet; pad: by how much cells are grown, which is far more than these sums can round. */
-static inline uint32_t triangle_children(const double q[3][3], const double h[3], double pad)
+ALD_INLINE uint32_t triangle_children(const double q[3][3], const double h[3], double pad)
 {
 	m8 in = { -1, -1, -1, -1, -1, -1, -1, -1 };
 	double e[3][3], n[3], s[3], long0, long1;
@@ -112,7 +112,7 @@ static inline uint32_t triangle_children(const double q[3][3], const double h[3]
 	return lanes(&in);
 }
 
-static inline uint32_t children(const struct builder *b, uint32_t id, const struct cell *cell)
+ALD_INLINE uint32_t children(const struct builder *b, uint32_t id, const struct cell *cell)
 {
 	const ald_prims *p = b->prims;
 	double q[3][3], pad = 2 * p->pad;
@@ -141,7 +141,7 @@ static inline uint32_t children(const struct builder *b, uint32_t id, const stru
 	return m & triangle_children(q, b->half, pad);
 }
 
-static inline void sort_piece(const struct builder *b, struct piece *p)
+ALD_INLINE void sort_piece(const struct builder *b, struct piece *p)
 {
 	const struct level *l = &b->level[b->now];
 	const struct cell *cell = &l->cell[p->cell];

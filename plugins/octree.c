@@ -26,7 +26,7 @@ static const ald_param params[] = {
 };
 
 struct frame { /* an inner cell on the way down; halves: 0 the nearer, 1 the farther along the ray */
-	v8 enter; /* its children: where the ray enters them */
+	double enter[8]; /* its children: where the ray enters them */
 	double en[2][3], ex[2][3]; /* where it enters and leaves the halves */
 	double c[3];
 	uint32_t node;
@@ -140,55 +140,42 @@ ALD_INLINE int test_leaf(struct walk *w, const struct leaf *leaf, int any)
 	return found;
 }
 
-/* In the lanes of m take far, in the others near; keep the greater, or the lesser: a NaN is never kept. */
-ALD_INLINE void keep_max(v8 *x, const m8 *m, double far, double near)
-{
-	v8 f = { far, far, far, far, far, far, far, far };
-	v8 n = { near, near, near, near, near, near, near, near };
-	v8 t = (v8)(((m8)f & *m) | ((m8)n & ~*m));
-	m8 more = t > *x;
-
-	*x = (v8)(((m8)t & more) | ((m8)*x & ~more));
-}
-
-ALD_INLINE void keep_min(v8 *x, const m8 *m, double far, double near)
-{
-	v8 f = { far, far, far, far, far, far, far, far };
-	v8 n = { near, near, near, near, near, near, near, near };
-	v8 t = (v8)(((m8)f & *m) | ((m8)n & ~*m));
-	m8 less = t < *x;
-
-	*x = (v8)(((m8)t & less) | ((m8)*x & ~less));
-}
-
 /* f has its centre, and the ray's way into its nearer and out of its farther halves: the rest. */
 ALD_INLINE void open_cell(const struct walk *w, struct frame *f, uint32_t node)
 {
-	const m8 far[3] = { { 0, -1, 0, -1, 0, -1, 0, -1 },
-			    { 0, 0, -1, -1, 0, 0, -1, -1 },
-			    { 0, 0, 0, 0, -1, -1, -1, -1 } };
-	double t0 = w->t0, t1 = ald_min(w->hit->t, w->t1);
-	v8 en = { t0, t0, t0, t0, t0, t0, t0, t0 }, ex = { t1, t1, t1, t1, t1, t1, t1, t1 };
+	static const int64_t far[3][8] = CHILD_BITS;
+	double t0 = w->t0, t1 = ald_min(w->hit->t, w->t1), leave[8];
 	uint32_t kids = w->a->kids[node];
-	m8 in;
+	int64_t in[8];
 
-	for (unsigned k = 0; k < 3; k++) {
-		f->en[1][k] = (f->c[k] - w->p.near_o[k]) * w->p.inv[k];
-		f->ex[0][k] = (f->c[k] - w->p.far_o[k]) * w->p.inv[k];
-		keep_max(&en, &far[k], f->en[1][k], f->en[0][k]);
-		keep_min(&ex, &far[k], f->ex[1][k], f->ex[0][k]);
+	EACH(i) {
+		f->enter[i] = t0;
+		leave[i] = t1;
 	}
+	for (unsigned k = 0; k < 3; k++) {
+		double en0 = f->en[0][k], en1 = (f->c[k] - w->p.near_o[k]) * w->p.inv[k];
+		double ex0 = (f->c[k] - w->p.far_o[k]) * w->p.inv[k], ex1 = f->ex[1][k];
+
+		f->en[1][k] = en1;
+		f->ex[0][k] = ex0;
+		EACH(i) {
+			double en = far[k][i] ? en1 : en0, ex = far[k][i] ? ex1 : ex0;
+
+			f->enter[i] = en > f->enter[i] ? en : f->enter[i]; /* a NaN is not kept */
+			leave[i] = ex < leave[i] ? ex : leave[i];
+		}
+	}
+	EACH(i)
+		in[i] = !(f->enter[i] > leave[i]);
 	if (w->flip & 1)
 		kids = (kids >> 1 & 0x55) | (kids & 0x55) << 1;
 	if (w->flip & 2)
 		kids = (kids >> 2 & 0x33) | (kids & 0x33) << 2;
 	if (w->flip & 4)
 		kids = (kids >> 4 & 0x0f) | (kids & 0x0f) << 4;
-	in = ~(en > ex);
-	f->enter = en;
 	f->node = node;
 	f->useful = 0;
-	f->todo = (uint8_t)(kids & lanes(&in));
+	f->todo = (uint8_t)(kids & lanes(in));
 	if (w->count) {
 		w->count[ALD_COUNT_VOLUME_TESTS] += (unsigned)__builtin_popcount(kids);
 		w->count[ALD_COUNT_NODES]++;

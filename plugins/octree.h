@@ -17,9 +17,6 @@
 #define WIDE
 #endif
 
-typedef double v8 __attribute__((vector_size(64)));
-typedef int64_t m8 __attribute__((vector_size(64)));
-
 struct leaf {
 	uint32_t block, tris; /* first of its blocks; how many triangles they hold */
 	uint32_t other, others; /* primitives that are no triangles, in other[] */
@@ -44,16 +41,22 @@ struct ald_accel {
 	int root_is_leaf;
 };
 
-/* The lanes that are set. */
-ALD_INLINE uint32_t lanes(const m8 *m)
-{
-	const m8 bit = { 1, 2, 4, 8, 16, 32, 64, 128 };
-	union {
-		m8 m;
-		int64_t i[8];
-	} u = { *m & bit };
+/* Plain loops over eight lanes: unlike vector types, which gcc takes apart before it makes clones, they
+ * become as wide as each clone can be. */
+#define EACH(i) for (unsigned i = 0; i < 8; i++)
 
-	return (uint32_t)(u.i[0] | u.i[1] | u.i[2] | u.i[3] | u.i[4] | u.i[5] | u.i[6] | u.i[7]);
+/* Bit k of each child's number. */
+#define CHILD_BITS                                                                                   \
+	{ { 0, 1, 0, 1, 0, 1, 0, 1 }, { 0, 0, 1, 1, 0, 0, 1, 1 }, { 0, 0, 0, 0, 1, 1, 1, 1 } }
+
+/* The lanes that are not 0. */
+ALD_INLINE uint32_t lanes(const int64_t in[8])
+{
+	uint32_t bits = 0;
+
+	EACH(i)
+		bits |= (uint32_t)in[i] << i;
+	return bits;
 }
 
 enum octree_param { P_DEPTH, P_LEAF, P_PRICE, P_INDEX, P_SHAPE };

@@ -64,23 +64,29 @@ ALD_INLINE uint32_t box_children(const ald_box *b, const struct cell *cell, doub
 
 /* Of eight boxes of half size h around (+-h0, +-h1, +-h2), keep those that the slab lo <= x.n <= hi
  * touches. */
-ALD_INLINE void keep_touching(m8 *in, const double n[3], const double h[3], double lo, double hi,
+ALD_INLINE void keep_touching(int64_t in[8], const double n[3], const double h[3], double lo, double hi,
 			      double grow)
 {
-	const v8 sx = { -1, 1, -1, 1, -1, 1, -1, 1 }, sy = { -1, -1, 1, 1, -1, -1, 1, 1 };
-	const v8 sz = { -1, -1, -1, -1, 1, 1, 1, 1 };
+	static const double sx[8] = { -1, 1, -1, 1, -1, 1, -1, 1 };
+	static const double sy[8] = { -1, -1, 1, 1, -1, -1, 1, 1 };
+	static const double sz[8] = { -1, -1, -1, -1, 1, 1, 1, 1 };
 	double a = n[0] * h[0], b = n[1] * h[1], c = n[2] * h[2];
 	double reach = (fabs(a) + fabs(b) + fabs(c)) * (1 + 16 * ALD_U) + grow;
-	v8 s = sx * a + sy * b + sz * c;
 
-	*in &= (s >= lo - reach) & (s <= hi + reach);
+	lo -= reach;
+	hi += reach;
+	EACH(i) {
+		double s = sx[i] * a + sy[i] * b + sz[i] * c;
+
+		in[i] &= (s >= lo) & (s <= hi);
+	}
 }
 
 /* The separating axes of a triangle and eight cells at once; q: corners as seen from where the cells
  * meet; pad: by how much cells are grown, which is far more than these sums can round. */
 ALD_INLINE uint32_t triangle_children(const double q[3][3], const double h[3], double pad)
 {
-	m8 in = { -1, -1, -1, -1, -1, -1, -1, -1 };
+	int64_t in[8] = { 1, 1, 1, 1, 1, 1, 1, 1 };
 	double e[3][3], n[3], s[3], long0, long1;
 
 	for (unsigned k = 0; k < 3; k++) {
@@ -97,7 +103,7 @@ ALD_INLINE uint32_t triangle_children(const double q[3][3], const double h[3], d
 			n[z] = e[k][y];
 			s[0] = n[y] * q[k][y] + n[z] * q[k][z];
 			s[1] = n[y] * q[o][y] + n[z] * q[o][z];
-			keep_touching(&in, n, h, ald_min(s[0], s[1]), ald_max(s[0], s[1]), grow);
+			keep_touching(in, n, h, ald_min(s[0], s[1]), ald_max(s[0], s[1]), grow);
 		}
 	}
 	for (unsigned i = 0; i < 3; i++) {
@@ -108,8 +114,8 @@ ALD_INLINE uint32_t triangle_children(const double q[3][3], const double h[3], d
 	long0 = fabs(e[0][0]) + fabs(e[0][1]) + fabs(e[0][2]);
 	long1 = fabs(e[1][0]) + fabs(e[1][1]) + fabs(e[1][2]);
 	s[0] = n[0] * q[0][0] + n[1] * q[0][1] + n[2] * q[0][2];
-	keep_touching(&in, n, h, s[0], s[0], pad * (long0 * long1 + fabs(n[0]) + fabs(n[1]) + fabs(n[2])));
-	return lanes(&in);
+	keep_touching(in, n, h, s[0], s[0], pad * (long0 * long1 + fabs(n[0]) + fabs(n[1]) + fabs(n[2])));
+	return lanes(in);
 }
 
 ALD_INLINE uint32_t children(const struct builder *b, uint32_t id, const struct cell *cell)

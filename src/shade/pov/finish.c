@@ -56,30 +56,33 @@ static struct rgb metal_tint(double metallic, double cosine, struct rgb pigment)
 	return rgb_make(1 + m * (pigment.r - 1), 1 + m * (pigment.g - 1), 1 + m * (pigment.b - 1));
 }
 
+/* Before a metal's own colour tints it. */
+static struct rgb untinted(const struct finish *f, double cosine, double ior)
+{
+	double x = 1 - cosine;
+
+	if (f->reflection_fresnel)
+		return mix(f->reflection_min, f->reflection_max, fresnel(cosine, ior));
+	if (f->reflection_falloff != 1)
+		x = pow(x < 0 ? 0 : x, f->reflection_falloff);
+	return mix(f->reflection_min, f->reflection_max, x);
+}
+
 struct rgb finish_reflectivity(const struct finish *f, double cosine, double ior, struct rgb pigment)
 {
-	struct rgb r;
+	struct rgb r = untinted(f, cosine, ior);
 
-	if (f->reflection_fresnel) {
-		r = mix(f->reflection_min, f->reflection_max, fresnel(cosine, ior));
-	} else {
-		double x = 1 - cosine;
-
-		if (f->reflection_falloff != 1)
-			x = pow(x < 0 ? 0 : x, f->reflection_falloff);
-		r = mix(f->reflection_min, f->reflection_max, x);
-	}
 	if (f->reflection_metallic != 0)
 		r = rgb_mul(r, metal_tint(f->reflection_metallic, cosine, pigment));
 	return r;
 }
 
-double finish_mirror_weight(const struct finish *f, struct rgb reflectivity)
+double finish_mirror_weight(const struct finish *f, double cosine, double ior)
 {
 	double a, b;
 
 	if (f->reflection_fresnel)
-		return rgb_max(reflectivity);
+		return rgb_max(untinted(f, cosine, ior));
 	a = rgb_max(f->reflection_max);
 	b = rgb_max(f->reflection_min);
 	return a > b ? a : b;

@@ -12,8 +12,11 @@
  * arrives, both on one side. ior: of the far side relative to the near one, for fresnel. */
 struct rgb finish_reflectivity(const struct finish *, double cosine, double ior, struct rgb pigment);
 
-/* A bound on the reflectivity by which the weight of a mirrored ray shrinks. */
-double finish_mirror_weight(const struct finish *, struct rgb reflectivity);
+/*
+ * A bound on the reflectivity by which the weight of a mirrored ray shrinks. A metal's tint is not in it, as
+ * POV-Ray's adc_bailout shows.
+ */
+double finish_mirror_weight(const struct finish *, double cosine, double ior);
 
 bool finish_is_mirror(const struct finish *);
 bool finish_needs_light(const struct finish *);

@@ -54,7 +54,7 @@ static void add_mirror(const struct shader *sh, struct tree *t, struct part *p, 
 	*BUF_AT(&t->mirror, struct mirror, i) =
 		(struct mirror){ .reflectivity = *reflectivity,
 				 .exponent = 1 / f->reflection_exponent,
-				 .weight = weight * finish_mirror_weight(f, *reflectivity),
+				 .weight = weight * finish_mirror_weight(f, cosine, ior),
 				 .normal = m->ns,
 				 .child = TREE_NONE };
 	p->mirror_count++;

@@ -80,8 +80,9 @@ def bolts(rng):
                      bf_Div_Count=rng.choice((12, 18, 24)))
 
     def nut():
+        # Not bf_Nut_Lock: it has coincident faces, of which POV-Ray's shadow rays miss one.
         return fresh(bpy.ops.mesh.bolt_add, bf_Model_Type='bf_Model_Nut', bf_Div_Count=18,
-                     bf_Nut_Type=rng.choice(('bf_Nut_Hex', 'bf_Nut_Lock', 'bf_Nut_12Pnt')))
+                     bf_Nut_Type=rng.choice(('bf_Nut_Hex', 'bf_Nut_12Pnt')))
     row(rng, (bolt, nut))
 
 

@@ -218,7 +218,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_all_options), cmocka_unit_test(test_mistakes),
-		cmocka_unit_test(test_limits), cmocka_unit_test(test_page_states_the_limits), cmocka_unit_test(test_defaults), cmocka_unit_test(test_job),
+		cmocka_unit_test(test_limits), cmocka_unit_test(test_page_states_the_limits),
+		cmocka_unit_test(test_defaults), cmocka_unit_test(test_job),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

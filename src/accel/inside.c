@@ -67,22 +67,19 @@ static bool leaf_holds(const struct geometry *g, const struct prim_leaf *f, vec 
 	return f->flags & OBJECT_INVERSE ? !in : in;
 }
 
-uint32_t geometry_inside(const struct geometry *g, vec p, uint32_t *object, uint32_t room)
+uint32_t geometry_inside(const struct geometry *g, vec p, struct solid *solid, uint32_t room)
 {
 	vec level = prim_level_point(&g->set.level[0], p);
 	uint32_t n = 0;
 
 	for (uint32_t i = 0; i < g->set.leaf_count; i++) {
-		if (!leaf_holds(g, &g->set.leaf[i], p, level))
+		const struct prim_leaf *f = &g->set.leaf[i];
+
+		if (!leaf_holds(g, f, p, level))
 			continue;
 		if (n < room)
-			object[n] = i;
+			solid[n] = (struct solid){ f->solid, i, f->interior };
 		n++;
 	}
 	return n;
-}
-
-uint32_t geometry_object_interior(const struct geometry *g, uint32_t object)
-{
-	return g->set.leaf[object].interior;
 }

@@ -109,12 +109,12 @@ static void leave_world(const struct prim_level *l, const struct place *at, stru
 	s->error = at->error / l->scale + 4 * ALD_U * (size_of(s->p) + size_of(l->shift));
 }
 
-static void leaf_surface(const struct prim_leaf *f, uint32_t leaf, struct surface *s)
+static void leaf_surface(const struct prim_leaf *f, struct surface *s)
 {
 	s->texture[0] = s->texture[1] = s->texture[2] = f->texture;
 	s->interior_texture = f->interior_texture;
 	s->interior = f->interior;
-	s->object = leaf;
+	s->object = f->solid;
 	s->flags = f->flags;
 	s->bary[0] = 1;
 	s->bary[1] = s->bary[2] = 0;
@@ -165,7 +165,7 @@ void surface_at(const struct geometry *g, const ald_ray *ray, const ald_hit *hit
 		mesh = true;
 	}
 	f = &g->set.leaf[leaf];
-	leaf_surface(f, leaf, s);
+	leaf_surface(f, s);
 	leave_world(l, &at, s);
 	if (mesh)
 		mesh_surface(g->set.scene, f, face, hit->u, hit->v, s);

@@ -80,9 +80,13 @@ void surface_at(const struct geometry *, const ald_ray *, const ald_hit *, struc
 /* A bound on the distance between surface.p and the true surface, in world units (R4, numerics): a
  * ray that starts at p, moved by this along n, is on that side of this surface. */
 double surface_error(const struct geometry *, const ald_ray *, const ald_hit *, const struct surface *);
-/* Solids that hold point p, by leaf object number in increasing order, at most room of them; returns how
- * many there are. Surfaces without an inside (meshes without inside_vector, discs) hold nothing. */
-uint32_t geometry_inside(const struct geometry *, vec p, uint32_t *object, uint32_t room);
-uint32_t geometry_object_interior(const struct geometry *, uint32_t object); /* or SCENE_NONE */
+/* Solids that hold point p, in the order of the scene, at most room of them; returns how many there are.
+ * Surfaces without an inside (meshes without inside_vector, discs) hold nothing. */
+struct solid {
+	uint32_t object; /* as in struct surface */
+	uint32_t leaf; /* of geometry's own numbering */
+	uint32_t interior; /* or SCENE_NONE */
+};
+uint32_t geometry_inside(const struct geometry *, vec p, struct solid *, uint32_t room);
 
 #endif

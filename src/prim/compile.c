@@ -53,6 +53,7 @@ static void add_leaf(struct prim_set *s, uint32_t object, const struct walk *w)
 
 	s->leaf[s->leaf_count++] = (struct prim_leaf){
 		.object = object,
+		.solid = o->solid == SCENE_NONE ? object : o->solid,
 		.kind = o->kind,
 		.place = w->place,
 		.mirrored = mat_det(&w->place.fwd) < 0,
@@ -180,11 +181,10 @@ void prim_set_release(struct prim_set *s)
 	*s = (struct prim_set){ .scene = NULL };
 }
 
-unsigned prim_texture_mask(const struct scene *s, uint32_t texture, uint32_t interior_texture)
+/* An interior_texture has no say: a solid whose texture is opaque casts full shadows in POV-Ray. */
+unsigned prim_texture_mask(const struct scene *s, uint32_t texture)
 {
 	bool clear = texture != SCENE_NONE && texture_translucent(&s->texture[texture]);
 
-	if (interior_texture != SCENE_NONE)
-		clear = clear || texture_translucent(&s->texture[interior_texture]);
 	return clear ? PRIM_SHADOW_CLEAR : PRIM_SHADOW_OPAQUE;
 }

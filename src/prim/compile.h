@@ -25,6 +25,7 @@ enum prim_mask {
 
 struct prim_leaf { /* an object that is no union, with all that it inherits */
 	uint32_t object; /* in the scene */
+	uint32_t solid; /* see struct object; never SCENE_NONE */
 	enum shape_kind kind;
 	struct xform place; /* own coordinates to the world */
 	bool mirrored; /* place turns left hands into right ones */
@@ -100,6 +101,6 @@ enum status prim_bake_mesh(struct prim_set *, struct prim_level *, const struct 
 			   const struct mat *, struct diag *);
 void prim_narrow_vertices(struct prim_level *); /* to float, if that loses nothing */
 void prim_triangle(const struct prim_level *, uint32_t id, vec v[3]);
-unsigned prim_texture_mask(const struct scene *, uint32_t texture, uint32_t interior_texture);
+unsigned prim_texture_mask(const struct scene *, uint32_t texture);
 
 #endif

@@ -30,8 +30,7 @@ static unsigned leaf_mask(unsigned flags)
 }
 
 /* Shadow bits of a face of a mesh whose object has these textures. */
-static unsigned face_mask(const struct scene *s, const struct mesh *m, uint32_t face, unsigned own,
-			  uint32_t interior_texture)
+static unsigned face_mask(const struct scene *s, const struct mesh *m, uint32_t face, unsigned own)
 {
 	unsigned bits = 0;
 
@@ -40,7 +39,7 @@ static unsigned face_mask(const struct scene *s, const struct mesh *m, uint32_t 
 	for (uint32_t k = 0; k < m->textures_per_face; k++) {
 		uint32_t t = m->texture[(size_t)face * m->textures_per_face + k];
 
-		bits |= t == SCENE_NONE ? own : prim_texture_mask(s, t, interior_texture);
+		bits |= t == SCENE_NONE ? own : prim_texture_mask(s, t);
 	}
 	/* Blended corners let light through if one of them does. */
 	return bits & PRIM_SHADOW_CLEAR && own != (PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR) ?
@@ -56,11 +55,11 @@ static uint32_t face_of(const struct prim_level *l, uint32_t g, uint32_t id)
 }
 
 static void mask_triangles(struct prim_set *s, struct prim_level *l, uint32_t g, uint32_t end,
-			   const struct mesh *m, unsigned flags, unsigned own, uint32_t interior)
+			   const struct mesh *m, unsigned flags, unsigned own)
 {
 	for (uint32_t i = l->group_first[g]; i < end; i++)
 		l->mask[i] = (flags & ~(unsigned)(PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR)) |
-			     (flags & face_mask(s->scene, m, face_of(l, g, i), own, interior));
+			     (flags & face_mask(s->scene, m, face_of(l, g, i), own));
 }
 
 static void *take(struct prim_set *s, uint64_t n, size_t size, bool *ok)
@@ -145,8 +144,7 @@ enum status layout_mesh_level(struct prim_set *s, uint32_t level, struct diag *d
 	l->count = l->tri_count;
 	prim_narrow_vertices(l);
 	if (l->mask)
-		mask_triangles(s, l, 0, l->tri_count, m, ~0u, PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR,
-			       SCENE_NONE);
+		mask_triangles(s, l, 0, l->tri_count, m, ~0u, PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR);
 	join_triangles(l);
 	return STATUS_OK;
 }
@@ -219,7 +217,7 @@ static void add_prim(struct prim_set *s, struct prim_level *l, uint32_t leaf)
 	}
 	add_group(l, leaf);
 	l->mask[l->count++] = leaf_mask(f->flags) &
-			      (prim_texture_mask(s->scene, f->texture, f->interior_texture) |
+			      (prim_texture_mask(s->scene, f->texture) |
 			       ~(unsigned)(PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR));
 	s->leaf[leaf].item = l->prim_count++;
 	ald_box_join(&l->box, &p->box);
@@ -252,7 +250,7 @@ static void add_instance(struct prim_set *s, struct prim_level *l, uint32_t leaf
 	const struct prim_leaf *f = &s->leaf[leaf];
 	const struct prim_level *in = &s->level[f->level];
 	struct prim_instance *p = &l->instance[l->instance_count];
-	unsigned shadow = prim_texture_mask(s->scene, f->texture, f->interior_texture);
+	unsigned shadow = prim_texture_mask(s->scene, f->texture);
 	const unsigned both = PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR;
 	double scale = in->scale / l->scale;
 
@@ -293,7 +291,7 @@ static void add_plane(struct prim_set *s, const struct prim_level *l, uint32_t l
 	}
 	p->leaf = leaf;
 	p->mask = leaf_mask(f->flags) &
-		  (prim_texture_mask(s->scene, f->texture, f->interior_texture) |
+		  (prim_texture_mask(s->scene, f->texture) |
 		   ~(unsigned)(PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR));
 	s->leaf[leaf].item = s->unbounded_count++;
 }
@@ -314,8 +312,7 @@ static enum status bake_world(struct prim_set *s, struct prim_level *l, struct d
 		if (st)
 			return st;
 		mask_triangles(s, l, l->group_count - 1, l->tri_count, m, leaf_mask(f->flags),
-			       prim_texture_mask(s->scene, f->texture, f->interior_texture),
-			       f->interior_texture);
+			       prim_texture_mask(s->scene, f->texture));
 	}
 	l->count = l->tri_count;
 	return STATUS_OK;

@@ -108,7 +108,7 @@ uint32_t scene_add_object(struct scene *s)
 		return i;
 	o = &s->object[i];
 	o->place = xform_identity;
-	o->texture = o->interior_texture = o->interior = SCENE_NONE;
+	o->texture = o->interior_texture = o->interior = o->solid = SCENE_NONE;
 	o->first_child = o->next_sibling = SCENE_NONE;
 	return i;
 }
@@ -195,6 +195,7 @@ static uint64_t hash_object(uint64_t h, const struct object *o)
 	h = HASH(h, o->texture);
 	h = HASH(h, o->interior_texture);
 	h = HASH(h, o->interior);
+	h = HASH(h, o->solid);
 	h = HASH(h, o->flags);
 	h = HASH(h, o->first_child);
 	h = HASH(h, o->next_sibling);

@@ -134,6 +134,8 @@ struct object {
 	struct xform place; /* own coordinates to the parent's */
 	uint32_t texture, interior_texture; /* SCENE_NONE: the parent's */
 	uint32_t interior; /* SCENE_NONE: the parent's */
+	uint32_t solid; /* leaves of an equal number are one solid for refraction: POV-Ray tells solids
+			   apart by their interiors, and a union's is shared; SCENE_NONE: by itself */
 	unsigned flags; /* enum object_flag; a parent's are added */
 	uint32_t first_child, next_sibling; /* unions; SCENE_NONE ends */
 	union {

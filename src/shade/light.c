@@ -33,13 +33,14 @@ struct light_ray light_towards(const struct light *l, vec p, vec shift)
 	return r;
 }
 
-/* 0 below low, 1 from high on, a smooth cubic between; Blender writes cones with high below low. */
+/* 1 from high on, else 0 below low, a smooth cubic between. Where high is below low, as Blender writes
+ * some cones, high decides: measured. */
 static double smooth(double low, double high, double x)
 {
-	if (x < low)
-		return 0;
 	if (x >= high)
 		return 1;
+	if (x < low)
+		return 0;
 	x = (x - low) / (high - low);
 	return (3 - 2 * x) * x * x;
 }

@@ -20,14 +20,14 @@ bool shade_worth(const struct shader *sh, uint32_t level, double weight)
 
 uint32_t shade_camera_inside(const struct shader *sh, struct tree *t, vec org)
 {
-	uint32_t object[CAMERA_SOLIDS], list = TREE_NONE, n;
+	struct solid solid[CAMERA_SOLIDS];
+	uint32_t list = TREE_NONE, n;
 
 	if (!sh->translucent)
 		return list;
-	n = geometry_inside(sh->geometry, org, object, CAMERA_SOLIDS);
+	n = geometry_inside(sh->geometry, org, solid, CAMERA_SOLIDS);
 	for (uint32_t i = 0; i < n && i < CAMERA_SOLIDS; i++)
-		list = inside_enter(t, list, object[i],
-				    geometry_object_interior(sh->geometry, object[i]));
+		list = inside_enter(t, list, solid[i].object, solid[i].interior);
 	return list;
 }
 

@@ -73,8 +73,8 @@ static void spot_falls_off_smoothly(void **state)
 	l.falloff = 40; /* cos .766: outside */
 	NEAR(light_attenuation(&l, p, &r), 0);
 	l.tightness = 0; /* a cone that ends before it starts to fade is all on or all off */
-	l.falloff = 42;
-	l.radius = 42.001;
+	l.falloff = 41;
+	l.radius = 42; /* cos .743 */
 	NEAR(light_attenuation(&l, p, &r), 1);
 }
 

@@ -170,7 +170,7 @@ static void inside_tests(void **state)
 {
 	struct world w;
 	struct object *o;
-	uint32_t in[8];
+	struct solid in[8];
 
 	(void)state;
 	begin(&w);
@@ -190,13 +190,13 @@ static void inside_tests(void **state)
 	o->shape.plane.normal = vec_make(0, 1, 0);
 	build(&w);
 	assert_int_equal(geometry_inside(w.g, vec_make(0, 0, 0), in, 8), 3);
-	assert_int_equal(in[0], 0);
-	assert_int_equal(in[1], 2);
-	assert_int_equal(in[2], 4);
+	assert_int_equal(in[0].leaf, 0);
+	assert_int_equal(in[1].leaf, 2);
+	assert_int_equal(in[2].leaf, 4);
 	assert_int_equal(geometry_inside(w.g, vec_make(1.2, 0.1, 0), in, 8), 3);
-	assert_int_equal(in[0], 0);
-	assert_int_equal(in[1], 1);
-	assert_int_equal(in[2], 3);
+	assert_int_equal(in[0].leaf, 0);
+	assert_int_equal(in[1].leaf, 1);
+	assert_int_equal(in[2].leaf, 3);
 	end(&w);
 }
 

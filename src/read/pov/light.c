@@ -186,6 +186,14 @@ static bool read_modifier(struct pov *p, struct draft *d)
 	return read_kind(p, d) || read_cone(p, d) || read_area_word(p, d) || read_rest(p, d);
 }
 
+/* POV-Ray makes lights with orient circular, where they have the points for it. */
+static void make_circular(struct pov *p, struct light *l)
+{
+	l->circular = l->area && l->size1 > 1 && l->size2 > 1;
+	if (l->circular)
+		pov_warn(p, &l->pos, "orient makes the area light circular, as in POV-Ray; add circular");
+}
+
 static void check_light(struct pov *p, struct draft *d)
 {
 	struct light *l = &d->light;
@@ -198,6 +206,8 @@ static void check_light(struct pov *p, struct draft *d)
 		pov_fail_at(p, &l->pos, "the light's point_at is its location; move one of them");
 	if (l->circular && (!l->area || l->size1 < 2 || l->size2 < 2))
 		pov_fail_at(p, &l->pos, "a circular area_light needs at least 2 x 2 points");
+	if (l->orient && !l->circular)
+		make_circular(p, l);
 	if (l->kind == LIGHT_CYLINDER && l->falloff < 0)
 		pov_fail_at(p, &l->pos, "the light's falloff is negative");
 	if (!vec_finite(l->location) || !vec_finite(l->direction) || !vec_finite(l->axis1) ||

@@ -21,6 +21,7 @@ struct context {
 	unsigned hollow, hollow_given;
 	unsigned double_illuminate, double_given;
 	struct mat place; /* to the scene, for lights */
+	uint32_t solid; /* the union that gave the interior, or SCENE_NONE */
 };
 
 static bool use_object(struct pov *, struct pov_object *, const struct context *, uint32_t *index);
@@ -225,6 +226,9 @@ static bool use_object(struct pov *p, struct pov_object *o, const struct context
 	out->pos = o->object.pos;
 	if (o->mesh)
 		out->shape.mesh = o->mesh->index;
+	if (o->interior)
+		inner.solid = out->kind == SHAPE_UNION ? *index : SCENE_NONE;
+	out->solid = inner.solid;
 	if (out->kind == SHAPE_UNION)
 		return use_children(p, o, &inner, *index);
 	out->flags = o->object.flags & OBJECT_INVERSE;
@@ -233,7 +237,7 @@ static bool use_object(struct pov *p, struct pov_object *o, const struct context
 
 void pov_use_object(struct pov *p, struct pov_object *o)
 {
-	struct context c = { .place = mat_identity };
+	struct context c = { .place = mat_identity, .solid = SCENE_NONE };
 	uint32_t index;
 
 	if (!o || pov_failed(p) || !count_objects(p, o))

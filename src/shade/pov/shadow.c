@@ -31,8 +31,10 @@ static bool dark(struct rgb c)
 }
 
 /* What a texture lets through; fake caustics brighten where the light falls straight (3.4.8.1.3). */
-static struct rgb texture_filter(const struct texture *t, double caustics, double cosine)
+static struct rgb texture_filter(const struct scene *s, uint32_t texture, double caustics,
+				 double cosine)
 {
+	const struct texture *t = &s->texture[texture];
 	struct rgb f = { 1, 1, 1 };
 
 	for (uint32_t i = 0; i < t->count; i++) {
@@ -54,13 +56,12 @@ static struct rgb surface_filter(const struct shader *sh, const struct surface *
 	struct rgb f = { 0, 0, 0 };
 
 	if (cosine > 0 && s->interior_texture != SCENE_NONE)
-		return texture_filter(&scene->texture[s->interior_texture], caustics, cosine);
-	if (s->texture[0] == s->texture[1] && s->texture[0] == s->texture[2])
-		return texture_filter(&scene->texture[s->texture[0]], caustics, cosine);
+		return texture_filter(scene, s->interior_texture, caustics, cosine);
+	if (s->texture[0] == s->texture[1] && s->texture[0] == s->texture[2] && s->texture[0] != SCENE_NONE)
+		return texture_filter(scene, s->texture[0], caustics, cosine);
 	for (int i = 0; i < 3; i++) {
-		if (s->bary[i] >= scene->adc_bailout)
-			f = rgb_add(f, rgb_scale(texture_filter(&scene->texture[s->texture[i]], caustics,
-								cosine),
+		if (s->bary[i] >= scene->adc_bailout && s->texture[i] != SCENE_NONE)
+			f = rgb_add(f, rgb_scale(texture_filter(scene, s->texture[i], caustics, cosine),
 						 s->bary[i]));
 	}
 	return f;

@@ -82,8 +82,8 @@ static void add_layer(struct tree *t, struct part *p, uint32_t part, const struc
 static void add_part(const struct shader *sh, struct tree *t, const struct met *m, const struct node *n,
 		     uint32_t texture, double share)
 {
-	const struct texture *tex = &sh->scene->texture[texture];
-	uint32_t index = tree_push(t, &t->part, 1);
+	const struct texture *tex;
+	uint32_t index;
 	struct part p = { .share = share,
 			  .filter = { 1, 1, 1 },
 			  .fade = { 1, 1, 1 },
@@ -92,6 +92,10 @@ static void add_part(const struct shader *sh, struct tree *t, const struct met *
 			  .first_layer = t->layer.count,
 			  .first_mirror = t->mirror.count };
 
+	if (texture == SCENE_NONE) /* nobody gave one: black */
+		return;
+	tex = &sh->scene->texture[texture];
+	index = tree_push(t, &t->part, 1);
 	if (index == TREE_NONE)
 		return;
 	for (uint32_t i = 0; i < tex->count && p.clear > sh->scene->adc_bailout; i++) {

@@ -181,7 +181,18 @@ void prim_set_release(struct prim_set *s)
 	*s = (struct prim_set){ .scene = NULL };
 }
 
-/* An interior_texture has no say: a solid whose texture is opaque casts full shadows in POV-Ray. */
+/* POV-Ray lets light through solids of which one side is clear, but not through a mesh whose textures
+ * are opaque, whatever its interior_texture is: measured. */
+unsigned prim_leaf_mask(const struct scene *s, const struct prim_leaf *f)
+{
+	unsigned mask = prim_texture_mask(s, f->texture);
+
+	if (f->kind != SHAPE_MESH && f->interior_texture != SCENE_NONE &&
+	    texture_translucent(&s->texture[f->interior_texture]))
+		mask = PRIM_SHADOW_CLEAR;
+	return mask;
+}
+
 unsigned prim_texture_mask(const struct scene *s, uint32_t texture)
 {
 	bool clear = texture != SCENE_NONE && texture_translucent(&s->texture[texture]);

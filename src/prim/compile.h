@@ -102,5 +102,6 @@ enum status prim_bake_mesh(struct prim_set *, struct prim_level *, const struct 
 void prim_narrow_vertices(struct prim_level *); /* to float, if that loses nothing */
 void prim_triangle(const struct prim_level *, uint32_t id, vec v[3]);
 unsigned prim_texture_mask(const struct scene *, uint32_t texture);
+unsigned prim_leaf_mask(const struct scene *, const struct prim_leaf *);
 
 #endif

@@ -217,7 +217,7 @@ static void add_prim(struct prim_set *s, struct prim_level *l, uint32_t leaf)
 	}
 	add_group(l, leaf);
 	l->mask[l->count++] = leaf_mask(f->flags) &
-			      (prim_texture_mask(s->scene, f->texture) |
+			      (prim_leaf_mask(s->scene, f) |
 			       ~(unsigned)(PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR));
 	s->leaf[leaf].item = l->prim_count++;
 	ald_box_join(&l->box, &p->box);
@@ -250,7 +250,7 @@ static void add_instance(struct prim_set *s, struct prim_level *l, uint32_t leaf
 	const struct prim_leaf *f = &s->leaf[leaf];
 	const struct prim_level *in = &s->level[f->level];
 	struct prim_instance *p = &l->instance[l->instance_count];
-	unsigned shadow = prim_texture_mask(s->scene, f->texture);
+	unsigned shadow = prim_leaf_mask(s->scene, f);
 	const unsigned both = PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR;
 	double scale = in->scale / l->scale;
 
@@ -291,7 +291,7 @@ static void add_plane(struct prim_set *s, const struct prim_level *l, uint32_t l
 	}
 	p->leaf = leaf;
 	p->mask = leaf_mask(f->flags) &
-		  (prim_texture_mask(s->scene, f->texture) |
+		  (prim_leaf_mask(s->scene, f) |
 		   ~(unsigned)(PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR));
 	s->leaf[leaf].item = s->unbounded_count++;
 }
@@ -312,7 +312,7 @@ static enum status bake_world(struct prim_set *s, struct prim_level *l, struct d
 		if (st)
 			return st;
 		mask_triangles(s, l, l->group_count - 1, l->tri_count, m, leaf_mask(f->flags),
-			       prim_texture_mask(s->scene, f->texture));
+			       prim_leaf_mask(s->scene, f));
 	}
 	l->count = l->tri_count;
 	return STATUS_OK;

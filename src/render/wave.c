@@ -57,7 +57,7 @@ static void fill_ray(ald_ray *r, const struct node *n)
 			.dir = n->dir,
 			.tmin = 0,
 			.tmax = HUGE_VAL,
-			.mask = n->kind == NODE_REFLECTED ? TRACE_REFLECTED : TRACE_CAMERA,
+			.mask = n->mirrored ? TRACE_REFLECTED : TRACE_CAMERA,
 			.skip = n->skip,
 			.after = ALD_NONE,
 			.after_sub = { ALD_NONE, ALD_NONE } };

@@ -29,6 +29,7 @@ struct node {
 	uint32_t skip; /* the planar primitive it starts on */
 	enum node_kind kind;
 	bool straight; /* went on through a surface without bending: not counted as a level */
+	bool mirrored; /* it or a ray before it was reflected: sees as mirrors do, also through glass */
 	bool clear_sky; /* the background's transparency is wanted (alpha) */
 	uint32_t first_part, part_count; /* no parts: colour is what it is */
 	struct rgb colour;

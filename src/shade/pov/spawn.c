@@ -27,6 +27,7 @@ static uint32_t add_node(const struct shader *sh, struct tree *t, const struct m
 	const struct node *parent = BUF_AT(&t->node, struct node, m->node);
 	uint32_t level = parent->level + (parent->straight ? 0 : 1), i;
 	uint64_t key = rng_child(parent->key, s->slot);
+	bool seen_in_mirror = parent->mirrored || s->kind == NODE_REFLECTED;
 
 	if (!shade_worth(sh, level, s->weight))
 		return TREE_NONE;
@@ -42,6 +43,7 @@ static uint32_t add_node(const struct shader *sh, struct tree *t, const struct m
 							   .skip = m->skip,
 							   .kind = s->kind,
 							   .straight = s->straight,
+							   .mirrored = seen_in_mirror,
 							   .clear_sky = s->clear_sky };
 	return i;
 }

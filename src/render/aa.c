@@ -13,6 +13,7 @@
 
 #define UNKNOWN UINT32_MAX
 #define SAMPLES_HELD 16384
+#define GRID_SIDE 512 /* places along the side of an adaptive part's grid; 2^9, the deepest, fits */
 
 /* The fine grid of a tile: map[] holds, for each place, its index in w->sample. */
 struct grid {
@@ -234,7 +235,8 @@ static struct aa_pixel pov2_square(struct grid *g, int32_t x, int32_t y, int32_t
 }
 
 /* Rounds until nothing more is asked for. */
-static bool adaptive(struct worker *w, const struct aa_tile *tile, struct aa_pixel *pixel)
+static bool adaptive_part(struct worker *w, const struct aa_tile *tile, struct aa_pixel *pixel,
+			  uint32_t pitch)
 {
 	const struct render_options *o = w->options;
 	bool second = o->aa == RENDER_AA_POV2, more = true;
@@ -246,15 +248,35 @@ static bool adaptive(struct worker *w, const struct aa_tile *tile, struct aa_pix
 	while (more) {
 		for (uint32_t i = 0; i < tile->width * tile->height; i++) {
 			int32_t x = (int32_t)(i % tile->width), y = (int32_t)(i / tile->width);
+			struct aa_pixel *out = &pixel[(uint32_t)y * pitch + (uint32_t)x];
 
 			if (second)
-				pixel[i] = pov2_square(&g, x * (int32_t)div, y * (int32_t)div,
+				*out = pov2_square(&g, x * (int32_t)div, y * (int32_t)div,
 						       (int32_t)div, o->aa_n - 1, o);
 			else
-				pov1_pixel(&g, x, y, o, &pixel[i]);
+				pov1_pixel(&g, x, y, o, out);
 		}
 		if (!grid_trace(&g, &more))
 			return false;
+	}
+	return true;
+}
+
+/* Deep recursion makes a fine grid: then the tile is cut up, at the price of tracing the places that the
+ * parts share again. */
+static bool adaptive(struct worker *w, const struct aa_tile *tile, struct aa_pixel *pixel)
+{
+	uint32_t side = w->options->aa == RENDER_AA_POV2 ? GRID_SIDE >> w->options->aa_n : GRID_SIDE;
+
+	for (uint32_t y = 0; y < tile->height; y += side) {
+		for (uint32_t x = 0; x < tile->width; x += side) {
+			struct aa_tile part = { tile->x + x, tile->y + y,
+						tile->width - x < side ? tile->width - x : side,
+						tile->height - y < side ? tile->height - y : side };
+
+			if (!adaptive_part(w, &part, pixel + (size_t)y * tile->width + x, tile->width))
+				return false;
+		}
 	}
 	return true;
 }

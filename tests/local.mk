@@ -8,7 +8,7 @@ SHELL_TESTS = tests/headers.sh tests/layers.sh tests/lint.sh tests/cli/table.sh 
 	tests/cli/errors.sh tests/cli/examples.sh tests/cli/output.sh tests/cli/pages.sh
 TESTS += $(SHELL_TESTS)
 include tests/images/local.mk
-EXTRA_DIST += $(SHELL_TESTS) tests/tap.sh tests/bench/bench.py tests/cli/scene.pov
+EXTRA_DIST += $(SHELL_TESTS) tests/tap.sh tests/cli/scene.pov
 include tests/plugins/local.mk
 include tests/numerics/local.mk
 include tests/blender/local.mk

@@ -134,22 +134,22 @@ static enum status set_crop(struct settings *s, const struct option_spec *o, con
 }
 
 static enum status set_aa_pair(struct settings *s, const struct option_spec *o,
-			       const struct option_pair *pair, struct diag *d)
+			       const struct option_pair *pair, const char *value, struct diag *d)
 {
 	uint64_t n;
 
 	if (!strcmp(pair->key, "threshold")) {
 		if (!option_real(pair->value, 0, 3, &s->render.aa_threshold))
-			return wrong(d, o, pair->value, "threshold=0 to 3");
+			return wrong(d, o, value, "threshold=0 to 3");
 	} else if (!strcmp(pair->key, "depth")) {
 		if (!option_integer(pair->value, 1, 9, &n))
-			return wrong(d, o, pair->value, "depth=1 to 9");
+			return wrong(d, o, value, "depth=1 to 9");
 		s->render.aa_n = (uint32_t)n;
 	} else if (!strcmp(pair->key, "gamma")) {
 		if (!option_real(pair->value, 0.1, 10, &s->render.aa_gamma))
-			return wrong(d, o, pair->value, "gamma=0.1 to 10");
+			return wrong(d, o, value, "gamma=0.1 to 10");
 	} else {
-		return wrong(d, o, pair->key, "threshold, depth or gamma");
+		return wrong(d, o, value, "threshold, depth or gamma");
 	}
 	return STATUS_OK;
 }
@@ -178,7 +178,7 @@ static enum status set_aa(struct settings *s, const struct option_spec *o, const
 		return wrong(d, o, value, "none, a number from 1 to 64, pov1 or pov2");
 	}
 	while (option_next_pair(&cursor, &pair)) {
-		st = set_aa_pair(s, o, &pair, d);
+		st = set_aa_pair(s, o, &pair, value, d);
 		if (st)
 			return st;
 	}

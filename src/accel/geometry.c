@@ -47,14 +47,14 @@ static void show_level(struct view *v, const struct geometry *g, const struct pr
 
 static enum status refuse(const struct geometry *g, int result, const ald_error *err, struct diag *diag)
 {
-	static const char *const why[] = { "", "out of memory", "refused a parameter", "was cancelled",
+	static const char *const why[] = { "", "ran out of memory", "refused a parameter", "was cancelled",
 					   "does not support this scene", "failed" };
 	const char *text = result > 0 && result <= ALD_FAILED ? why[result] : "failed";
 
 	if (result == ALD_CANCELLED && interrupt_asked())
 		return STATUS_SIGINT;
 	return diag_fail(diag, result == ALD_NO_MEMORY ? STATUS_FAILED : STATUS_ACCEL, NULL,
-			 "accelerator %s: building it %s%s%.255s; try another one (-a)", g->plugin->name,
+			 "accelerator %s: its building %s%s%.255s; try another one (-a)", g->plugin->name,
 			 text, err->text[0] ? ": " : "", err->text);
 }
 

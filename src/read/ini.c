@@ -1,8 +1,9 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * Lines of Option=value; comments begin with ; or #. Options that have no meaning here are ignored,
- * unknown ones are named in a warning, so that a misspelt one is noticed.
+ * Lines of Option=value; comments begin with ; or #, also behind a value. What follows a [section] is
+ * for those who name it to POV-Ray. Options that have no meaning here are ignored, unknown ones are
+ * named in a warning, so that a misspelt one is noticed.
  */
 #include <config.h>
 
@@ -20,6 +21,7 @@ struct reader {
 	struct scene *scene;
 	struct diag *diag;
 	struct diag_pos pos;
+	bool section;
 	const char *folder; /* of the .ini, with its slash */
 	struct read_define *define; /* room for one a line */
 	const char **library;
@@ -232,13 +234,37 @@ static void apply(struct reader *r, enum option option, const char *name, char *
 		j->set |= bit[option];
 }
 
+/* A value without its quotes, and without the comment behind it; a # within a word is part of it. */
+static void trim(const char **from, const char **to)
+{
+	const char *at = *from, *end = *to, *close;
+
+	if (at < end && (*at == '"' || *at == '\'')) {
+		close = memchr(at + 1, *at, (size_t)(end - at - 1));
+		if (close) {
+			*from = at + 1;
+			*to = close;
+			return;
+		}
+	}
+	for (const char *p = at; p < end; p++) {
+		if (*p == ';' || (*p == '#' && (p == at || p[-1] == ' ' || p[-1] == '\t')))
+			end = p;
+	}
+	while (end > at && (end[-1] == ' ' || end[-1] == '\t' || end[-1] == '\r'))
+		end--;
+	*to = end;
+}
+
 /* One line, without its newline. */
 static void line(struct reader *r, const char *at, const char *end)
 {
 	const char *name = at = skip_blank(at, end);
 	char option[64], *value;
 
-	if (at == end || *at == ';' || *at == '#' || *at == '[')
+	if (at < end && *at == '[')
+		r->section = true;
+	if (at == end || *at == ';' || *at == '#' || r->section)
 		return;
 	while (at < end && is_name(*at))
 		at++;
@@ -250,12 +276,7 @@ static void line(struct reader *r, const char *at, const char *end)
 	memcpy(option, name, (size_t)(at - name));
 	option[at - name] = 0;
 	at = skip_blank(skip_blank(at, end) + 1, end);
-	while (end > at && (end[-1] == ' ' || end[-1] == '\t' || end[-1] == '\r'))
-		end--;
-	if (end - at >= 2 && *at == end[-1] && (*at == '"' || *at == '\'')) {
-		at++;
-		end--;
-	}
+	trim(&at, &end);
 	value = keep(r, (size_t)(end - at) + 1);
 	if (!value)
 		return;

@@ -44,11 +44,14 @@ cat >job.ini <<'END'
 ; as Blender's add-on writes them
 Input_File_Name="scene.pov"
 Output_File_Name="job"
-Width=24
-Height=18
+Width=24 ; as POV-Ray
+Height=18	# takes them
 Antialias=off
 Start_Column=3
 End_Column=10
+[large]
+Width=1000
+Height=1000
 END
 ok ".ini" run job.ini
 ok "names the output" test -s job.png

@@ -26,9 +26,11 @@ plugins_octree_la_LDFLAGS = $(PLUGIN_LDFLAGS)
 # Libtool's .la files are of no use to dlopen(); only libtool itself would miss them.
 install-data-hook:
 	cd '$(DESTDIR)$(pkglibacceldir)' && rm -f none.la sphere.la box.la octree.la
+	rm -f '$(DESTDIR)$(pkglibdir)/io_oiio.la'
 
 uninstall-hook:
 	cd '$(DESTDIR)$(pkglibacceldir)' && rm -f none.so sphere.so box.so octree.so
+	rm -f '$(DESTDIR)$(pkglibdir)/io_oiio.so'
 
 # To start one's own from, outside of this tree.
 EXTRA_DIST += plugins/template/Makefile plugins/template/README.md plugins/template/mine.c

@@ -183,13 +183,19 @@ static int mine_intersect(const ald_accel *a, ald_query *q, const ald_ray *ray, 
 	while (top) {
 		const struct node *n = &a->node[stack[--top].node];
 		uint32_t far;
+		int better = 0;
 
 		if (stack[top].enter > hit->t) /* R3: > and never >= */
 			continue;
 		for (uint32_t i = n->first; i < n->first + n->count; i++)
-			found |= test(a, a->id[i], &prep, q, ray, hit);
+			better |= test(a, a->id[i], &prep, q, ray, hit);
+		found |= better;
+		if (q->count && better)
+			q->count[ALD_COUNT_VOLUME_USEFUL]++; /* of leaves */
 		if (n->count)
 			continue;
+		if (q->count)
+			q->count[ALD_COUNT_NODES]++;
 		/* The nearer child last, so that it comes first. */
 		far = !prep.sign[n->axis];
 		for (unsigned k = 0; k < 2; k++) {

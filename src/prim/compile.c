@@ -135,9 +135,8 @@ static void report_dropped(const struct prim_set *s, struct diag *diag)
 {
 	if (s->dropped)
 		diag_report(diag, DIAG_WARNING, NULL,
-			    "%llu primitives were left out: they have no area, or coordinates that are not "
-			    "finite numbers.",
-			    (unsigned long long)s->dropped);
+			    "%llu primitive%s without area, or too large for a double, left out",
+			    (unsigned long long)s->dropped, s->dropped == 1 ? "" : "s");
 }
 
 enum status prim_compile(struct prim_set *s, const struct scene *scene, struct mem_book *book,

@@ -3,6 +3,8 @@
  *
  * Tiles over the thread pool, and what they bring into the picture.
  */
+#include <config.h>
+
 #include <pthread.h>
 #include <stdatomic.h>
 #include <string.h>

@@ -82,6 +82,22 @@ need()
 	done
 }
 
+# has_exr: alidade was built with OpenEXR. need_exr: leave this file out if it was not, as with need.
+has_exr()
+{
+	"$ALIDADE" --version | grep -q '^pictures:.*exr'
+}
+
+need_exr()
+{
+	has_exr && return
+	[ -z "${ALIDADE_CI:-}" ] || {
+		echo "Bail out! built without OpenEXR"
+		exit 1
+	}
+	skip_all "built without OpenEXR"
+}
+
 tap_done()
 {
 	echo "1..$tap_count"

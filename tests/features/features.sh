@@ -5,6 +5,7 @@
 # One small scene for each thing that shading knows, against POV-Ray's picture of the same file (references.sh
 # makes them): 99.5 % of the pixels within 1/255 in every channel after sRGB encoding, nothing non-finite.
 . "${ALIDADE_SRC:-.}/tests/tap.sh"
+need_exr
 cd "$ALIDADE_SRC/tests/features" || exit 99
 
 compare()

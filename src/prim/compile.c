@@ -100,7 +100,8 @@ static enum status flatten(struct prim_set *s, struct diag *diag)
 	return STATUS_OK;
 }
 
-/* Give meshes that are worth it a level of their own. */
+/* Give meshes that are worth it a level of their own. Those with an interior_texture are baked: it changes
+ * which of their faces cast which shadows. */
 static enum status choose_levels(struct prim_set *s, struct diag *diag)
 {
 	const struct scene *sc = s->scene;
@@ -110,7 +111,7 @@ static enum status choose_levels(struct prim_set *s, struct diag *diag)
 	if (!uses)
 		return diag_no_memory(diag, "the list of meshes", bytes);
 	for (uint32_t i = 0; i < s->leaf_count; i++) {
-		if (s->leaf[i].kind == SHAPE_MESH)
+		if (s->leaf[i].kind == SHAPE_MESH && s->leaf[i].interior_texture == SCENE_NONE)
 			uses[s->leaf[i].mesh]++;
 	}
 	for (uint32_t m = 0; m < sc->mesh_count; m++) {
@@ -119,7 +120,7 @@ static enum status choose_levels(struct prim_set *s, struct diag *diag)
 		uses[m] = shared ? levels++ : 0;
 	}
 	for (uint32_t i = 0; i < s->leaf_count; i++) {
-		if (s->leaf[i].kind == SHAPE_MESH)
+		if (s->leaf[i].kind == SHAPE_MESH && s->leaf[i].interior_texture == SCENE_NONE)
 			s->leaf[i].level = uses[s->leaf[i].mesh];
 	}
 	mem_free(uses);

@@ -62,6 +62,27 @@ static void mask_triangles(struct prim_set *s, struct prim_level *l, uint32_t g,
 			     (flags & face_mask(s->scene, m, face_of(l, g, i), own));
 }
 
+static bool mesh_has_clear_faces(const struct scene *s, const struct mesh *m)
+{
+	size_t n = m->texture ? (size_t)m->triangle_count * m->textures_per_face : 0;
+
+	for (size_t i = 0; i < n; i++) {
+		if (m->texture[i] != SCENE_NONE && texture_translucent(&s->texture[m->texture[i]]))
+			return true;
+	}
+	return false;
+}
+
+/* A mesh with some clear faces and an interior_texture: light that comes from inside meets the latter,
+ * whatever the face's own texture is. Shading looks at each hit, so all faces count as clear. */
+static void mask_clear(struct prim_level *l, uint32_t first, uint32_t end)
+{
+	for (uint32_t i = first; i < end; i++) {
+		if (l->mask[i] & PRIM_SHADOW_OPAQUE)
+			l->mask[i] ^= PRIM_SHADOW_OPAQUE | (~l->mask[i] & PRIM_SHADOW_CLEAR);
+	}
+}
+
 static void *take(struct prim_set *s, uint64_t n, size_t size, bool *ok)
 {
 	void *p = mem_zalloc(s->book, "geometry",
@@ -313,6 +334,8 @@ static enum status bake_world(struct prim_set *s, struct prim_level *l, struct d
 			return st;
 		mask_triangles(s, l, l->group_count - 1, l->tri_count, m, leaf_mask(f->flags),
 			       prim_leaf_mask(s->scene, f));
+		if (f->interior_texture != SCENE_NONE && mesh_has_clear_faces(s->scene, m))
+			mask_clear(l, l->group_first[l->group_count - 1], l->tri_count);
 	}
 	l->count = l->tri_count;
 	return STATUS_OK;

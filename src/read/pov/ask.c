@@ -51,7 +51,7 @@ static void check_finite(struct pov *p, const struct diag_pos *pos, const double
 {
 	for (uint32_t i = 0; i < n; i++) {
 		if (!isfinite(c[i]))
-			pov_fail_at(p, pos, "the value here is not a finite number");
+			pov_fail_at(p, pos, "the value here is not a finite number, or too large");
 	}
 }
 

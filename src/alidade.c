@@ -208,7 +208,8 @@ static void report_nonfinite(struct run *run)
 {
 	diag_report(&run->diag, DIAG_WARNING, NULL,
 		    "%" PRIu64 " pixels have samples that are not finite numbers, the first at %u,%u; they "
-		    "are black in the picture. This is a fault of alidade: please report it with the scene",
+		    "are black in the picture. Unless the scene's numbers are extreme, please report it "
+		    "with the scene",
 		    run->counts.nonfinite, run->counts.nonfinite_x, run->counts.nonfinite_y);
 }
 

@@ -48,6 +48,13 @@ static inline double rgb_grey(struct rgb a)
 	return 0.297 * a.r + 0.589 * a.g + 0.114 * a.b;
 }
 
+/* What a surface of this colour lets through, by channel. */
+static inline struct rgb rgbft_through(struct rgbft a)
+{
+	return (struct rgb){ a.r * a.filter + a.transmit, a.g * a.filter + a.transmit,
+			     a.b * a.filter + a.transmit };
+}
+
 static inline struct rgb rgbft_rgb(struct rgbft a)
 {
 	return (struct rgb){ a.r, a.g, a.b };

@@ -34,8 +34,6 @@ uint32_t shade_camera_inside(const struct shader *sh, struct tree *t, vec org)
 void shade_sky(const struct shader *sh, struct node *n)
 {
 	const struct rgbft *b = &sh->scene->background;
-	struct rgb through;
-
 	n->colour = rgbft_rgb(*b);
 	n->transmit = 0;
 	if (!n->clear_sky)
@@ -45,8 +43,6 @@ void shade_sky(const struct shader *sh, struct node *n)
 		n->transmit = 1;
 		return;
 	}
-	through = rgb_make(b->r * b->filter + b->transmit, b->g * b->filter + b->transmit,
-			   b->b * b->filter + b->transmit);
 	n->colour = rgb_scale(n->colour, 1 - b->filter - b->transmit);
-	n->transmit = fmin(1, fabs(rgb_grey(through)));
+	n->transmit = fmin(1, fabs(rgb_grey(rgbft_through(*b))));
 }

@@ -15,12 +15,7 @@
 #include "shade/pov/shadow.h"
 #include "shade/shade.h"
 
-#define DARK 1e-10
-
-static bool dark(struct rgb c)
-{
-	return fabs(c.r) < DARK && fabs(c.g) < DARK && fabs(c.b) < DARK;
-}
+#define BESIDE 1e-10 /* cosine below which light passes by a surface, as in POV-Ray */
 
 static bool spread(const struct light *l)
 {
@@ -33,7 +28,7 @@ static bool falls_on(const struct lit_layer *layer, const struct met *m, vec dir
 	*behind = false;
 	if (m->flags & OBJECT_DOUBLE_ILLUMINATE)
 		return true;
-	if (vec_dot(layer->normal, dir) >= DARK)
+	if (vec_dot(layer->normal, dir) >= BESIDE)
 		return true;
 	*behind = layer->finish->diffuse_back != 0;
 	return *behind;
@@ -103,7 +98,7 @@ static void meet_light(const struct shader *sh, struct tree *t, uint32_t hit, ui
 			   .grid = TREE_NONE };
 	uint32_t i;
 
-	if (dark(lit.colour) || !wanted(t, l, m, r.dir))
+	if (shadow_dark(lit.colour) || !wanted(t, l, m, r.dir))
 		return;
 	if (l->area && !l->shadowless) {
 		lit.grid = new_grid(t, l);
@@ -309,7 +304,7 @@ void shade_light(const struct shader *sh, struct tree *t, uint32_t thread, struc
 		const struct node *n = BUF_AT(&t->node, struct node, m->node);
 		const struct light *l = &sh->scene->light[lit->light];
 
-		if (dark(lit->colour))
+		if (shadow_dark(lit->colour))
 			continue;
 		if (spread(l))
 			fall_spread(t, m, l, n->dir, lit->colour,

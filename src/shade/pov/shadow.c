@@ -25,11 +25,6 @@ static void make_ray(ald_ray *r, const struct shadow *s, uint32_t mask)
 			.after_sub = { ALD_NONE, ALD_NONE } };
 }
 
-static bool dark(struct rgb c)
-{
-	return fabs(c.r) < 1e-10 && fabs(c.g) < 1e-10 && fabs(c.b) < 1e-10;
-}
-
 /* What a texture lets through; fake caustics brighten where the light falls straight (3.4.8.1.3). */
 static struct rgb texture_filter(const struct scene *s, uint32_t texture, double caustics,
 				 double cosine)
@@ -38,10 +33,7 @@ static struct rgb texture_filter(const struct scene *s, uint32_t texture, double
 	struct rgb f = { 1, 1, 1 };
 
 	for (uint32_t i = 0; i < t->count; i++) {
-		const struct rgbft *c = &t->layer[i].pigment.colour;
-
-		f = rgb_mul(f, rgb_make(c->r * c->filter + c->transmit, c->g * c->filter + c->transmit,
-					c->b * c->filter + c->transmit));
+		f = rgb_mul(f, rgbft_through(t->layer[i].pigment.colour));
 		if (caustics != 0)
 			f = rgb_scale(f, 1 + pow(fabs(cosine), CAUSTICS_POWER * caustics));
 	}
@@ -105,7 +97,7 @@ static void filter_batch(const struct shader *sh, struct tree *t, uint32_t threa
 				continue;
 			counts->shadow_hit++;
 			cross(sh, t, one, &ray[i], &hit[i]);
-			if (dark(one->colour)) {
+			if (shadow_dark(one->colour)) {
 				one->colour = rgb_make(0, 0, 0);
 				continue;
 			}

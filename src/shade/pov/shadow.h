@@ -12,6 +12,12 @@
 void shadow_trace(const struct shader *, struct tree *, uint32_t thread, uint32_t first,
 		  struct shade_counts *);
 
+/* Light that POV-Ray takes for none. */
+static inline bool shadow_dark(struct rgb c)
+{
+	return fabs(c.r) < 1e-10 && fabs(c.g) < 1e-10 && fabs(c.b) < 1e-10;
+}
+
 /* The start of a ray from a hit towards dir: off the surface by its error bound, on dir's side. */
 static inline vec shadow_origin(const struct met *m, vec dir)
 {

@@ -9,12 +9,6 @@
 #include "shade/pov/interior.h"
 #include "shade/shade.h"
 
-static struct rgb let_through(const struct rgbft *c)
-{
-	return rgb_make(c->r * c->filter + c->transmit, c->g * c->filter + c->transmit,
-			c->b * c->filter + c->transmit);
-}
-
 /* How much of its own light a layer shows. Before 3.7 POV-Ray weighed filter by the colour. */
 static double opacity(const struct scene *s, const struct rgbft *c)
 {
@@ -109,7 +103,7 @@ static void add_part(const struct shader *sh, struct tree *t, const struct met *
 		p.own = rgb_add(p.own, rgb_mul(p.filter, rgb_scale(glow(sh->scene, &layer->finish, pigment),
 								   opaque)));
 		add_layer(t, &p, index, m, layer, opaque);
-		p.filter = rgb_mul(p.filter, let_through(&layer->pigment.colour));
+		p.filter = rgb_mul(p.filter, rgbft_through(layer->pigment.colour));
 		if (layer->finish.conserve_energy)
 			p.filter = rgb_mul(p.filter, rgb_make(fmin(1, 1 - reflectivity.r),
 							      fmin(1, 1 - reflectivity.g),

@@ -206,7 +206,8 @@ static enum status write_stats(struct run *run, bool complete)
 
 static void report_nonfinite(struct run *run)
 {
-	diag_report(&run->diag, DIAG_WARNING, NULL,
+	/* An error, so that -q does not silence it. */
+	diag_report(&run->diag, DIAG_ERROR, NULL,
 		    "%" PRIu64 " pixels have samples that are not finite numbers, the first at %u,%u; they "
 		    "are black in the picture. Unless the scene's numbers are extreme, please report it "
 		    "with the scene",
@@ -228,7 +229,7 @@ static enum status run_picture(struct run *run)
 	if (st && st != STATUS_SIGINT && st != STATUS_NONFINITE)
 		return st;
 	complete = st != STATUS_SIGINT;
-	if (st == STATUS_NONFINITE)
+	if (run->counts.nonfinite)
 		report_nonfinite(run);
 	if (complete || run->counts.pixels)
 		written = run_write(run, complete);

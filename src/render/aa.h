@@ -18,7 +18,7 @@ struct aa_pixel {
 	bool finite; /* false: a sample was NaN or Inf; it counts as black */
 };
 
-/* Render the tile into pixel[height * width]. False: out of memory. */
+/* Render the tile into pixel[height * width]. False: w->stopped, or out of memory. */
 bool aa_render(struct worker *w, const struct aa_tile *tile, struct aa_pixel *pixel);
 
 #endif

@@ -45,9 +45,9 @@ static void fold_part(const struct tree *t, const struct part *p, struct rgb *co
 	}
 }
 
-void fold_tree(struct tree *t)
+void fold_nodes(struct tree *t, uint32_t first, uint32_t count)
 {
-	for (uint32_t i = t->node.count; i-- > 0;) {
+	for (uint32_t i = first; i < first + count; i++) {
 		struct node *n = BUF_AT(&t->node, struct node, i);
 
 		for (uint32_t j = 0; j < n->part_count; j++) {

@@ -8,7 +8,7 @@
 
 #include "shade/tree.h"
 
-/* Fill in every node's colour and transmit; children stand behind their parents. */
-void fold_tree(struct tree *);
+/* Fill in the colour and transmit of n nodes from first on, whose children's are known. */
+void fold_nodes(struct tree *, uint32_t first, uint32_t n);
 
 #endif

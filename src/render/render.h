@@ -32,7 +32,7 @@ struct render_options {
 	bool camera_only; /* no shading at all: camera rays and their hits, for counting and timing */
 	/* Called from one thread at a time, after each tile; pixels of the part to render. May be NULL. */
 	void (*progress)(void *arg, uint64_t done, uint64_t total);
-	/* Asked before each tile from any thread; true: leave the rest. May be NULL. */
+	/* Asked often, from any thread; true: leave the rest. May be NULL. */
 	bool (*stop)(void *arg);
 	void *arg;
 };

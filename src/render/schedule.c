@@ -112,7 +112,7 @@ static void render_tile(void *arg, uint32_t i, uint32_t thread)
 		return;
 	}
 	if (!aa_render(&j->worker[thread], &t, j->pixel[thread])) {
-		atomic_store(&j->no_memory, true);
+		atomic_store(j->worker[thread].stopped ? &j->stopped : &j->no_memory, true);
 		return;
 	}
 	finish_tile(j, &t, j->pixel[thread]);
@@ -170,6 +170,7 @@ static void free_workers(struct job *j, uint32_t threads)
 		tree_release(&j->worker[i].tree);
 		buf_release(&j->worker[i].sample);
 		buf_release(&j->worker[i].map);
+		buf_release(&j->worker[i].frame);
 	}
 	for (uint32_t i = 0; i < threads && j->pixel; i++)
 		mem_free(j->pixel[i]);

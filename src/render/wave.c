@@ -3,9 +3,10 @@
  *
  * A tile's camera rays -> hits -> light (shadow rays) -> what mirrors and glass ask for -> hits ...
  *
- * A wave is followed in batches of about a thousand rays, the main road of the plugin contract. Where
- * trees grow large (many mirrors, much glass), the samples are taken in smaller groups: each sample's
- * colour depends on its own tree alone, so grouping changes nothing.
+ * A wave is followed in batches of about a thousand rays, the main road of the plugin contract. What a
+ * batch asks for is followed to its end, and folded into it, before the next batch of the wave: where trees
+ * grow large (many mirrors, much glass), memory grows with their depth only. Each sample's colour depends
+ * on its own tree alone, so batching changes nothing.
  */
 #include "render/wave.h"
 
@@ -16,7 +17,6 @@
 #include "shade/camera.h"
 
 #define BATCH 1024
-#define NODES_MAX (256 * 1024) /* of a group, before it is split */
 
 static uint64_t sample_key(const struct sample *s)
 {
@@ -109,68 +109,104 @@ static void follow_batch(struct worker *w, uint32_t first, uint32_t n, uint32_t 
 	w->counts.hit[RENDER_SHADOW] += counts.shadow_hit;
 }
 
-/* The whole tree of a group of samples. False: it grew too large (nothing is lost but time). */
-static bool follow_group(struct worker *w, uint32_t first, uint32_t n)
+/* Nodes that wait, and where the tree stood before the batch that asked for them. */
+struct frame {
+	uint32_t done, end; /* nodes done .. end - 1 are still to be followed */
+	uint32_t batch, batched; /* the batch being followed: first node, how many */
+	uint32_t node, part, mirror, inside; /* counts before it */
+};
+
+static bool push_frame(struct worker *w, uint32_t first, uint32_t end)
 {
-	const struct scene *scene = w->shader->scene;
+	uint32_t i = tree_push(&w->tree, &w->frame, 1);
+
+	if (i == TREE_NONE)
+		return false;
+	*BUF_AT(&w->frame, struct frame, i) = (struct frame){ .done = first, .end = end };
+	return true;
+}
+
+/* All that the batch asked for is known: fold it, and forget what stands behind it. */
+static void finish_batch(struct worker *w, struct frame *f)
+{
 	struct tree *t = &w->tree;
-	uint32_t done = 0;
 
-	tree_reset(t);
-	w->inside = TREE_NONE;
-	if (scene->camera.kind == CAMERA_PERSPECTIVE)
-		w->inside = shade_camera_inside(w->shader, t, scene->camera.location);
-	for (uint32_t i = 0; i < n; i++) {
-		if (!push_camera(w, BUF_AT(&w->sample, struct sample, first + i)))
-			return true;
-	}
-	while (done < t->node.count && !t->no_memory) {
-		uint32_t m = t->node.count - done;
-		uint32_t hints = done < n ? ALD_COHERENT : 0;
+	fold_nodes(t, f->batch, f->batched);
+	t->node.count = f->node;
+	t->part.count = f->part;
+	t->mirror.count = f->mirror;
+	t->inside.count = f->inside;
+	f->batched = 0;
+}
 
-		if (!done && scene->camera.kind == CAMERA_PERSPECTIVE)
-			hints |= ALD_ONE_ORIGIN;
-		if (done < n && m > n - done)
-			m = n - done; /* camera rays by themselves */
-		m = m < BATCH ? m : BATCH;
-		follow_batch(w, done, m, hints);
-		done += m;
-		if (n > 1 && t->node.count > NODES_MAX)
+static bool next_batch(struct worker *w, struct frame *f, uint32_t hints)
+{
+	struct tree *t = &w->tree;
+	uint32_t n = f->end - f->done < BATCH ? f->end - f->done : BATCH, before = t->node.count;
+
+	f->batch = f->done;
+	f->batched = n;
+	f->done += n;
+	f->node = before;
+	f->part = t->part.count;
+	f->mirror = t->mirror.count;
+	f->inside = t->inside.count;
+	follow_batch(w, f->batch, n, hints);
+	if (t->no_memory)
+		return false;
+	if (t->node.count == before)
+		finish_batch(w, f);
+	else
+		return push_frame(w, before, t->node.count); /* f is no longer valid */
+	return true;
+}
+
+/* Depth first, a batch at a time, so that what is held grows with the depth of the trees and not with
+ * their size. */
+static bool follow(struct worker *w, uint32_t roots, uint32_t hints)
+{
+	w->frame.count = 0;
+	if (!push_frame(w, 0, roots))
+		return false;
+	while (w->frame.count) {
+		struct frame *f = BUF_AT(&w->frame, struct frame, w->frame.count - 1);
+
+		if (f->batched)
+			finish_batch(w, f); /* its children's frame was just popped */
+		if (w->options->stop && w->options->stop(w->options->arg)) {
+			w->stopped = true;
+			return false;
+		}
+		if (f->done == f->end)
+			w->frame.count--;
+		else if (!next_batch(w, f, w->frame.count == 1 ? hints : 0))
 			return false;
 	}
 	return true;
 }
 
-static void collect(struct worker *w, uint32_t first, uint32_t n)
+bool wave_trace(struct worker *w, uint32_t first, uint32_t n)
 {
-	fold_tree(&w->tree);
+	const struct scene *scene = w->shader->scene;
+	bool pinhole = scene->camera.kind == CAMERA_PERSPECTIVE;
+	struct tree *t = &w->tree;
+
+	tree_reset(t);
+	w->frame.size = sizeof(struct frame);
+	w->inside = pinhole ? shade_camera_inside(w->shader, t, scene->camera.location) : TREE_NONE;
+	for (uint32_t i = 0; i < n; i++) {
+		if (!push_camera(w, BUF_AT(&w->sample, struct sample, first + i)))
+			return false;
+	}
+	if (!follow(w, n, ALD_COHERENT | (pinhole ? ALD_ONE_ORIGIN : 0)))
+		return false;
+	w->counts.samples += n;
 	for (uint32_t i = 0; i < n; i++) {
 		struct sample *s = BUF_AT(&w->sample, struct sample, first + i);
-		const struct node *node = BUF_AT(&w->tree.node, struct node, i);
+		const struct node *node = BUF_AT(&t->node, struct node, i);
 
 		s->colour = node->colour;
 		s->transmit = node->transmit;
 	}
-}
-
-bool wave_trace(struct worker *w, uint32_t first, uint32_t n)
-{
-	uint32_t group = n, end = first + n;
-
-	while (first < end && !w->tree.no_memory) {
-		uint32_t m = end - first < group ? end - first : group;
-		struct render_counts before = w->counts;
-
-		if (!follow_group(w, first, m)) {
-			w->counts = before; /* traced again in halves, counted once */
-			group = (m + 1) / 2;
-			continue;
-		}
-		if (w->tree.no_memory)
-			break;
-		w->counts.samples += m;
-		collect(w, first, m);
-		first += m;
-	}
-	return !w->tree.no_memory;
+	return true;
 }

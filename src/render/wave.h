@@ -25,10 +25,12 @@ struct worker {
 	struct tree tree;
 	struct buf sample; /* struct sample: those of the current tile */
 	struct buf map; /* for anti-aliasing, see aa.c */
+	struct buf frame; /* what waits while rays are followed, see wave.c */
+	bool stopped;
 	struct render_counts counts;
 };
 
-/* Trace samples first .. first + n - 1 of w->sample. False: out of memory. */
+/* Trace samples first .. first + n - 1 of w->sample. False: w->stopped, or out of memory. */
 bool wave_trace(struct worker *w, uint32_t first, uint32_t n);
 
 #endif

@@ -205,15 +205,55 @@ static void a_surface_does_not_hide_its_own_lamp(void **state)
 	s->object_count--;
 }
 
+/* Glass that mirrors doubles its rays at each surface: what is held must not grow with them. */
+static void memory_grows_with_depth_only(void **state)
+{
+	struct render_options o = { .crop_x = 22, .crop_y = 22, .crop_width = 6, .crop_height = 6 };
+	struct render_counts counts;
+	struct stage *st = *state;
+	struct scene *s = &st->scene;
+	struct mem_account *account = mem_account_get(&st->book, "render");
+	struct texture keep = s->texture[0];
+	struct layer glass = keep.layer[0];
+	uint32_t last = s->last_root, objects = s->object_count;
+	struct image out;
+
+	for (int i = 1; i < 5; i++) /* shells within the first sphere */
+		add_sphere(s, vec_make(-1.1, 1, 0), 0.9 - 0.15 * i, 0, 1.5 - 0.1 * i);
+
+	glass.pigment.colour = (struct rgbft){ 1, 1, 1, 0, 1 };
+	glass.finish.reflection_min = glass.finish.reflection_max = rgb_make(1, 1, 1);
+	s->texture[0].layer = &glass;
+	s->max_trace_level = 17;
+	s->light_count = 0;
+	atomic_store(&account->peak, 0);
+	assert_int_equal(render(st, &o, 1, &out, &counts), 0);
+	assert_true(counts.cast[RENDER_REFLECTED] > 200000);
+	assert_true(atomic_load(&account->peak) < 32 * 1024 * 1024);
+	image_release(&out);
+	s->texture[0] = keep;
+	s->max_trace_level = 5;
+	s->light_count = 2;
+	s->object[last].next_sibling = SCENE_NONE;
+	s->last_root = last;
+	s->object_count = objects;
+}
+
+static void note_done(void *arg, uint64_t done, uint64_t total)
+{
+	(void)total;
+	*(uint64_t *)arg = done;
+}
+
 static bool stop_soon(void *arg)
 {
-	return ++*(int *)arg > 2;
+	return *(uint64_t *)arg >= 200;
 }
 
 static void stopping_keeps_what_is_done(void **state)
 {
-	int asked = 0;
-	struct render_options o = { .tile = 10, .stop = stop_soon, .arg = &asked };
+	uint64_t done = 0;
+	struct render_options o = { .tile = 10, .stop = stop_soon, .progress = note_done, .arg = &done };
 	struct render_counts counts;
 	struct image whole, part;
 	struct stage *st = *state;
@@ -266,6 +306,7 @@ int main(void)
 		cmocka_unit_test(nothing_but_the_scene_decides),
 		cmocka_unit_test(adaptive_methods_refine_edges),
 		cmocka_unit_test(a_surface_does_not_hide_its_own_lamp),
+		cmocka_unit_test(memory_grows_with_depth_only),
 		cmocka_unit_test(stopping_keeps_what_is_done),
 		cmocka_unit_test(nan_is_never_stored),
 		cmocka_unit_test(options_are_checked),

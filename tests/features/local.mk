@@ -17,6 +17,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/highlights.pov \
 	tests/features/interior-texture.pov \
 	tests/features/layers.pov \
+	tests/features/legacy-layers.pov \
 	tests/features/mesh-clear-inside.pov \
 	tests/features/meshes.pov \
 	tests/features/mirror-bailout.pov \
@@ -48,6 +49,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/highlights.exr \
 	tests/features/interior-texture.exr \
 	tests/features/layers.exr \
+	tests/features/legacy-layers.exr \
 	tests/features/mesh-clear-inside.exr \
 	tests/features/meshes.exr \
 	tests/features/mirror-bailout.exr \

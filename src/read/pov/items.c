@@ -389,13 +389,6 @@ static void note_legacy(struct pov *p)
 			 "gamma correction is done, as in POV-Ray; add global_settings { assumed_gamma "
 			 "1.0 } or #version 3.7 if the picture looks too dark or too bright",
 			 s->version / 100, s->version / 10 % 10);
-	for (uint32_t i = 0; i < s->texture_count; i++) {
-		if (s->texture[i].count < 2)
-			continue;
-		pov_warn(p, NULL, "layered textures of a scene for version %d.%d are blended by the rules "
-			 "of version 3.7", s->version / 100, s->version / 10 % 10);
-		return;
-	}
 }
 
 /* POV-Ray starts from black pigment and the default finish (manual 3.3.2.8). */

@@ -12,10 +12,11 @@ arrows='
 include
 src/base	include
 src/scene	base include
-src/read	base scene include
+src/pattern	base scene include
+src/read	base scene pattern include
 src/prim	base scene include
 src/accel	base scene prim include
-src/shade	base scene accel/trace.h include
+src/shade	base scene pattern accel/trace.h include
 src/film	base image
 src/image	base
 src/render	base scene accel/trace.h shade film image include

@@ -1,3 +1,4 @@
 src_libalidade_la_SOURCES += \
 	src/scene/dump.c src/scene/dump.h \
-	src/scene/scene.c src/scene/scene.h
+	src/scene/scene.c src/scene/scene.h \
+	src/scene/texture.c src/scene/texture.h

@@ -26,7 +26,14 @@ void scene_release(struct scene *s)
 		mem_free(s->mesh[i].normal);
 		mem_free(s->mesh[i].normal_index);
 		mem_free(s->mesh[i].texture);
+		mem_free(s->mesh[i].uv);
+		mem_free(s->mesh[i].uv_index);
 	}
+	for (uint32_t i = 0; i < s->picture_count; i++) {
+		mem_free(s->picture[i].pixel);
+		mem_free(s->picture[i].palette);
+	}
+	mem_free(s->picture);
 	mem_free(s->light);
 	mem_free(s->texture);
 	mem_free(s->interior);
@@ -75,7 +82,7 @@ uint32_t scene_add_texture(struct scene *s, uint32_t layers)
 	i = grow(s, &p, &s->texture_count, &s->texture_room, sizeof(*s->texture));
 	s->texture = p;
 	if (i != SCENE_NONE)
-		s->texture[i] = (struct texture){ layers, layer };
+		s->texture[i] = (struct texture){ .count = layers, .layer = layer, .plain = true };
 	return i;
 }
 
@@ -85,6 +92,15 @@ uint32_t scene_add_interior(struct scene *s)
 	uint32_t i = grow(s, &p, &s->interior_count, &s->interior_room, sizeof(*s->interior));
 
 	s->interior = p;
+	return i;
+}
+
+uint32_t scene_add_picture(struct scene *s)
+{
+	void *p = s->picture;
+	uint32_t i = grow(s, &p, &s->picture_count, &s->picture_room, sizeof(*s->picture));
+
+	s->picture = p;
 	return i;
 }
 
@@ -120,28 +136,6 @@ void scene_add_root(struct scene *s, uint32_t o)
 	else
 		s->object[s->last_root].next_sibling = o;
 	s->last_root = o;
-}
-
-struct finish finish_default(void)
-{
-	return (struct finish){ .ambient = { 0.1, 0.1, 0.1 },
-				.diffuse = 0.6,
-				.brilliance = 1,
-				.phong_size = 40,
-				.roughness = 0.05,
-				.reflection_falloff = 1,
-				.reflection_exponent = 1 };
-}
-
-bool texture_translucent(const struct texture *t)
-{
-	for (uint32_t i = 0; i < t->count; i++) {
-		const struct rgbft *c = &t->layer[i].pigment.colour;
-
-		if (c->filter == 0 && c->transmit == 0)
-			return false;
-	}
-	return true;
 }
 
 /* FNV-1a, 64 bits: stable over machines of one byte order, and nothing here defends against malice. */
@@ -224,7 +218,6 @@ static uint64_t hash_light(uint64_t h, const struct light *l)
 
 static uint64_t hash_layer(uint64_t h, const struct layer *l)
 {
-	h = HASH(h, l->pigment.kind);
 	h = HASH(h, l->pigment.colour);
 	h = hash_bytes(h, &l->finish, offsetof(struct finish, reflection_fresnel));
 	h = HASH(h, l->finish.reflection_fresnel);

@@ -18,6 +18,7 @@
 #include "base/diag.h"
 #include "base/mem.h"
 #include "base/vec.h"
+#include "scene/texture.h"
 
 #define SCENE_NONE UINT32_MAX /* no texture, no interior, no object */
 
@@ -54,37 +55,6 @@ struct light {
 };
 #define LIGHT_NOT_ADAPTIVE UINT32_MAX
 
-enum pigment_kind { PIGMENT_COLOUR };
-
-struct pigment {
-	enum pigment_kind kind;
-	struct rgbft colour;
-};
-
-/* POV-Ray's finish block (manual 3.4.6.3), with the albedo variants already divided out. */
-struct finish {
-	struct rgb ambient, emission;
-	double diffuse, diffuse_back, brilliance;
-	double phong, phong_size;
-	double specular, roughness; /* roughness > 0 */
-	double metallic;
-	struct rgb reflection_min, reflection_max;
-	double reflection_falloff, reflection_exponent, reflection_metallic;
-	bool reflection_fresnel;
-	bool conserve_energy;
-};
-
-struct layer {
-	struct pigment pigment;
-	struct finish finish;
-};
-
-/* layer[0] is the topmost, the first that a ray from outside meets. */
-struct texture {
-	uint32_t count; /* at least 1 */
-	struct layer *layer;
-};
-
 struct interior {
 	double ior; /* 1: rays pass straight */
 	double caustics; /* 0: none */
@@ -103,6 +73,9 @@ struct mesh {
 	uint32_t *texture; /* [triangle_count * textures_per_face] scene textures (SCENE_NONE: the
 			      object's own), or NULL: all have the object's own texture */
 	uint32_t textures_per_face; /* 0, 1, or 3: one per corner, blended */
+	uint32_t uv_count;
+	float *uv; /* [2 * uv_count], or NULL: no texture of the scene asks for them */
+	uint32_t *uv_index; /* [3 * triangle_count]; NULL: same as index */
 	bool has_inside;
 	vec inside; /* inside_vector */
 	struct diag_pos pos;
@@ -133,6 +106,9 @@ struct object {
 	enum shape_kind kind;
 	struct xform place; /* own coordinates to the parent's */
 	uint32_t texture, interior_texture; /* SCENE_NONE: the parent's */
+	/* From the texture's coordinates to the world, as the object's transforms after its texture
+	 * statement make it; NULL: the same. In the arena. Leaves only; faces' own textures go by it too. */
+	struct xform *texture_place, *interior_texture_place;
 	uint32_t interior; /* SCENE_NONE: the parent's */
 	uint32_t solid; /* leaves of an equal number are one solid for refraction: POV-Ray tells solids
 			   apart by their interiors, and a union's is shared; SCENE_NONE: by itself */
@@ -188,6 +164,8 @@ struct scene {
 	struct texture *texture; /* layers are in the arena */
 	uint32_t interior_count, interior_room;
 	struct interior *interior;
+	uint32_t picture_count, picture_room;
+	struct picture *picture; /* pixels by mem_alloc */
 	uint32_t mesh_count, mesh_room;
 	struct mesh *mesh; /* arrays by mem_alloc */
 	uint32_t object_count, object_room;
@@ -204,15 +182,11 @@ void scene_release(struct scene *);
 uint32_t scene_add_light(struct scene *);
 uint32_t scene_add_texture(struct scene *, uint32_t layers);
 uint32_t scene_add_interior(struct scene *);
+uint32_t scene_add_picture(struct scene *);
 uint32_t scene_add_mesh(struct scene *);
 uint32_t scene_add_object(struct scene *);
 /* Put object o at the end of the roots. */
 void scene_add_root(struct scene *, uint32_t o);
-
-/* The finish that POV-Ray starts from (manual 3.4.6.3). */
-struct finish finish_default(void);
-/* True if light can pass: filter or transmit is not 0 in every layer. */
-bool texture_translucent(const struct texture *);
 
 /* 64 bits over everything that decides the picture (not names and places). */
 uint64_t scene_hash(const struct scene *);

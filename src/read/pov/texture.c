@@ -213,7 +213,6 @@ static bool use_layer(struct pov *p, const struct pov_layer *from, struct layer 
 	if (from->finish.subsurface && !s->finish_subsurface.construct)
 		pov_lack_note(p, &s->finish_subsurface, "subsurface light transport",
 			      "remove subsurface { } from global_settings");
-	to->pigment.kind = PIGMENT_COLOUR;
 	to->pigment.colour = from->pigment.colour;
 	to->finish = from->finish.finish;
 	return true;

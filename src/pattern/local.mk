@@ -1,0 +1,3 @@
+src_libalidade_la_SOURCES += \
+	src/pattern/pattern.h \
+	src/pattern/pigment.c

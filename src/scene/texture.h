@@ -1,0 +1,276 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * How surfaces look, as trees: textures of layers, layers of pigment, normal and finish, and the
+ * patterns that vary them over space (POV-Ray's manual 3.4.6, 3.4.7).
+ *
+ * Trees are plain structs joined by pointers, made once and then never changed; those of a scene are in
+ * its arena, and those of a reader in its own until scene_adopt_texture() copies what is used.
+ */
+#ifndef ALIDADE_SCENE_TEXTURE_H
+#define ALIDADE_SCENE_TEXTURE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "base/colour.h"
+#include "base/vec.h"
+
+struct function; /* a compiled user function */
+
+/* What a point is led through before a pattern is asked, one after the other. */
+enum warp_kind {
+	WARP_TRANSFORM,
+	WARP_TURBULENCE,
+	WARP_REPEAT,
+	WARP_BLACK_HOLE,
+	WARP_PLANAR,
+	WARP_CYLINDRICAL,
+	WARP_SPHERICAL,
+	WARP_TOROIDAL
+};
+
+struct warp {
+	enum warp_kind kind;
+	union {
+		struct xform place; /* pattern to outside; points go through its inverse */
+		struct {
+			vec amount;
+			uint32_t octaves;
+			double lambda, omega;
+		} turbulence;
+		struct {
+			uint32_t axis;
+			double width;
+			vec offset, flip; /* flip: 1 or -1 a component */
+		} repeat;
+		struct {
+			vec centre;
+			double radius, power, strength;
+			bool inverse, repeats;
+			vec repeat, uncertainty;
+		} hole;
+		struct {
+			vec axis;
+			double orientation, distance, major;
+		} map; /* planar and its kin */
+	} w;
+};
+
+enum pattern_kind {
+	/* the value is the number of a map's entry, a block */
+	PATTERN_CHECKER,
+	PATTERN_BRICK,
+	PATTERN_HEXAGON,
+	PATTERN_SQUARE,
+	PATTERN_TRIANGULAR,
+	PATTERN_OBJECT,
+	/* all entries, by their weights */
+	PATTERN_AVERAGE,
+	/* an image's own colours, entries (material_map) or slopes (bump_map) */
+	PATTERN_IMAGE_MAP,
+	PATTERN_MATERIAL_MAP,
+	PATTERN_BUMP_MAP,
+	/* from here on: a value, as a rule of 0 to 1, that a map is looked up with */
+	PATTERN_GRADIENT,
+	PATTERN_AGATE,
+	PATTERN_AOI,
+	PATTERN_BOXED,
+	PATTERN_BOZO,
+	PATTERN_BUMPS,
+	PATTERN_CELLS,
+	PATTERN_CRACKLE,
+	PATTERN_CUBIC,
+	PATTERN_CYLINDRICAL,
+	PATTERN_DENSITY_FILE,
+	PATTERN_DENTS,
+	PATTERN_FACETS,
+	PATTERN_FRACTAL,
+	PATTERN_FUNCTION,
+	PATTERN_GRANITE,
+	PATTERN_IMAGE,
+	PATTERN_LEOPARD,
+	PATTERN_MARBLE,
+	PATTERN_ONION,
+	PATTERN_PAVEMENT,
+	PATTERN_PIGMENT,
+	PATTERN_PLANAR,
+	PATTERN_QUILTED,
+	PATTERN_RADIAL,
+	PATTERN_RIPPLES,
+	PATTERN_SLOPE,
+	PATTERN_SPHERICAL,
+	PATTERN_SPIRAL1,
+	PATTERN_SPIRAL2,
+	PATTERN_SPOTTED,
+	PATTERN_TILING,
+	PATTERN_WAVES,
+	PATTERN_WOOD,
+	PATTERN_WRINKLES,
+	PATTERN_KINDS
+};
+#define PATTERN_FIRST_VALUE PATTERN_GRADIENT
+
+/* What becomes of a value: manual 3.4.7.5.6. */
+enum wave_kind { WAVE_RAMP, WAVE_SINE, WAVE_TRIANGLE, WAVE_SCALLOP, WAVE_CUBIC, WAVE_POLY };
+
+enum picture_use { PICTURE_GREY, PICTURE_RED, PICTURE_ALPHA }; /* what a pattern takes as its value */
+enum picture_map { /* map_type, by POV-Ray's numbers */
+	PICTURE_PLANAR = 0,
+	PICTURE_SPHERICAL = 1,
+	PICTURE_CYLINDRICAL = 2,
+	PICTURE_TOROIDAL = 5
+};
+
+/* A picture laid on things: which, and how. */
+struct picture_place {
+	uint32_t picture; /* of the scene's pictures */
+	enum picture_map map_type;
+	uint32_t interpolate; /* POV-Ray's numbers: 0 none, 2 bilinear, 3 bicubic, 4 normalised distance */
+	bool once;
+	enum picture_use use; /* bump_map, image_pattern */
+	double filter_all, transmit_all; /* < 0: not given */
+	double *filter, *transmit; /* of a palette's entries, or NULL; [palette] */
+};
+
+struct pattern {
+	enum pattern_kind kind;
+	uint32_t warp_count;
+	struct warp *warp; /* outermost first: the order in which a point is led through them */
+	enum wave_kind wave;
+	double frequency, phase, exponent; /* value * frequency + phase, then the wave; 1, 0, 1 */
+	uint32_t noise; /* noise_generator: 1, 2 or 3 */
+	/* Turbulence that some patterns (marble, wood, agate ...) also use inside. */
+	struct {
+		vec amount;
+		uint32_t octaves;
+		double lambda, omega;
+	} turbulence;
+	union {
+		vec gradient;
+		struct {
+			vec size;
+			double mortar;
+		} brick;
+		double agate_turb;
+		struct {
+			vec form;
+			double metric, offset;
+			bool solid;
+		} crackle;
+		struct {
+			double size, coords, metric; /* facets */
+		} facets;
+		struct {
+			double control0, control1;
+		} quilted;
+		struct {
+			vec slope, altitude; /* unit, or 0: not given */
+			double slope_low, slope_high, altitude_low, altitude_high;
+			bool point_at; /* slope is a place to look at */
+		} slope;
+		uint32_t arms; /* spiral */
+		uint32_t tiling, pavement[5]; /* 3.7.1's; unused by 3.7 */
+		struct {
+			uint32_t kind, iterations, exponent, exterior, interior;
+			double exterior_factor, interior_factor, re, im;
+		} fractal;
+		struct picture_place image;
+		struct pigment *pigment; /* pigment_pattern: its grey */
+		struct function *function;
+		uint32_t object; /* PATTERN_OBJECT: a solid of the scene */
+	} of;
+};
+
+enum map_kind { MAP_NONE, MAP_COLOUR, MAP_PIGMENT, MAP_NORMAL, MAP_TEXTURE, MAP_SLOPE };
+
+/* An entry of a map: at: a value of the pattern, rising; or for an average the entry's weight. */
+struct map_entry {
+	double at;
+	union {
+		struct rgbft colour;
+		struct pigment *pigment;
+		struct normal *normal;
+		struct texture *texture;
+		struct {
+			double height, slope;
+		} slope;
+	} is;
+};
+
+struct map {
+	enum map_kind kind;
+	uint32_t count;
+	struct map_entry *entry;
+};
+
+struct pigment {
+	bool uv; /* all below is asked at (u, v, 0) */
+	struct rgbft colour; /* if pattern is NULL */
+	struct pattern *pattern;
+	struct map map; /* colours or pigments; none: grey by value, or what the pattern itself brings */
+};
+
+struct normal {
+	bool uv;
+	bool no_bump_scale;
+	struct pattern *pattern; /* never NULL */
+	double amount; /* bump_size for a bump_map */
+	double accuracy; /* how far apart the pattern is sampled for its slope */
+	struct map map; /* slopes or normals; none: the pattern's own heights */
+};
+
+/* POV-Ray's finish block (manual 3.4.6.3), with the albedo variants already divided out. */
+struct finish {
+	struct rgb ambient, emission;
+	double diffuse, diffuse_back, brilliance;
+	double phong, phong_size;
+	double specular, roughness; /* roughness > 0 */
+	double metallic;
+	struct rgb reflection_min, reflection_max;
+	double reflection_falloff, reflection_exponent, reflection_metallic;
+	bool reflection_fresnel;
+	bool conserve_energy;
+};
+
+struct layer {
+	struct pigment pigment;
+	struct normal *normal; /* NULL: smooth */
+	struct finish finish;
+};
+
+/* Either layers, of which layer[0] is the topmost, the first that a ray from outside meets; or a pattern
+ * that chooses and blends textures (texture_map, material_map): then count is 0. */
+struct texture {
+	uint32_t count;
+	struct layer *layer;
+	bool uv;
+	struct pattern *pattern; /* NULL: layers */
+	struct map map;
+	bool plain; /* looks the same everywhere: no pattern in it, nor a normal */
+	bool wants_uv; /* some part of it is asked at (u, v, 0) */
+};
+
+/* A picture file as a texture, loaded once however often it is used. Rows from the top; straight or
+ * premultiplied as in the file. */
+enum picture_depth { PICTURE_8, PICTURE_16, PICTURE_FLOAT };
+struct picture {
+	const char *path; /* as found */
+	uint32_t width, height, channels; /* 1: grey, 2: grey and alpha, 3: RGB, 4: RGBA */
+	enum picture_depth depth;
+	void *pixel; /* by mem_alloc; [height * width * channels] */
+	uint32_t palette_count; /* 0: none; else pixels (8 bits, 1 channel) are its indices */
+	uint8_t *palette; /* [4 * palette_count], RGBA */
+	double gamma; /* decoding: 1 linear, 0 the sRGB curve */
+	bool premultiplied;
+};
+
+/* The finish that POV-Ray starts from (manual 3.4.6.3). */
+struct finish finish_default(void);
+/* True if light can pass: filter or transmit may be other than 0 in every layer. Pictures with alpha and
+ * patterns count as a whole. */
+bool texture_translucent(const struct texture *);
+/* Set plain and wants_uv of this texture and those below it. */
+void texture_examine(struct texture *);
+
+#endif

@@ -43,9 +43,11 @@ static bool push_camera(struct worker *w, const struct sample *s)
 	if (i == TREE_NONE)
 		return false;
 	if (!camera_ray(&scene->camera, s->x, s->y, w->options->width, w->options->height, &n.org,
-			&n.dir))
-		n.dir = vec_make(0, 0, 0); /* hits nothing */
-	if (scene->camera.kind != CAMERA_PERSPECTIVE)
+			&n.dir)) {
+		n.nowhere = true;
+		n.org = scene->camera.location;
+		n.dir = vec_make(0, 0, 1);
+	} else if (!camera_is_point(&scene->camera))
 		n.inside = shade_camera_inside(w->shader, t, n.org);
 	*BUF_AT(&t->node, struct node, i) = n;
 	return true;
@@ -57,7 +59,7 @@ static void fill_ray(ald_ray *r, const struct node *n)
 			.dir = n->dir,
 			.tmin = 0,
 			.tmax = HUGE_VAL,
-			.mask = n->mirrored ? TRACE_REFLECTED : TRACE_CAMERA,
+			.mask = n->nowhere ? 0 : n->mirrored ? TRACE_REFLECTED : TRACE_CAMERA,
 			.skip = n->skip,
 			.after = ALD_NONE,
 			.after_sub = { ALD_NONE, ALD_NONE } };
@@ -188,7 +190,7 @@ static bool follow(struct worker *w, uint32_t roots, uint32_t hints)
 bool wave_trace(struct worker *w, uint32_t first, uint32_t n)
 {
 	const struct scene *scene = w->shader->scene;
-	bool pinhole = scene->camera.kind == CAMERA_PERSPECTIVE;
+	bool pinhole = camera_is_point(&scene->camera);
 	struct tree *t = &w->tree;
 
 	tree_reset(t);

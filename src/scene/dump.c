@@ -62,15 +62,27 @@ static void end_line(FILE *to, unsigned what, const struct diag_pos *pos)
 
 static void dump_camera(const struct scene *s, unsigned what, FILE *to)
 {
+	static const char *const kind[] = { "perspective", "orthographic", "fisheye",
+					    "ultra_wide_angle", "omnimax", "panoramic", "spherical",
+					    "cylinder 1", "cylinder 2", "cylinder 3", "cylinder 4" };
 	const struct camera *c = &s->camera;
 
 	if (!s->has_camera)
 		return;
-	fprintf(to, "camera %s", c->kind == CAMERA_ORTHOGRAPHIC ? "orthographic" : "perspective");
+	fprintf(to, "camera %s", kind[c->kind]);
 	put_vec(to, "location", c->location);
 	put_vec(to, "direction", c->direction);
 	put_vec(to, "right", c->right);
 	put_vec(to, "up", c->up);
+	if (c->kind != CAMERA_PERSPECTIVE && c->kind != CAMERA_ORTHOGRAPHIC)
+		put_word(to, "angle", c->angle);
+	if (c->kind == CAMERA_SPHERICAL)
+		put_word(to, "angle_up", c->angle_up);
+	if (c->aperture != 0) {
+		put_word(to, "aperture", c->aperture);
+		put_word(to, "focal_distance", c->focal_distance);
+		fprintf(to, " blur_samples %u", c->blur_samples);
+	}
 	end_line(to, what, &c->pos);
 }
 

@@ -239,6 +239,11 @@ uint64_t scene_hash(const struct scene *s)
 	h = HASH(h, s->camera.direction);
 	h = HASH(h, s->camera.right);
 	h = HASH(h, s->camera.up);
+	h = HASH(h, s->camera.angle);
+	h = HASH(h, s->camera.angle_up);
+	h = HASH(h, s->camera.aperture);
+	h = HASH(h, s->camera.focal_distance);
+	h = HASH(h, s->camera.blur_samples);
 	for (uint32_t i = 0; i < s->light_count; i++)
 		h = hash_light(h, &s->light[i]);
 	for (uint32_t i = 0; i < s->texture_count; i++) {

@@ -22,7 +22,19 @@
 
 #define SCENE_NONE UINT32_MAX /* no texture, no interior, no object */
 
-enum camera_kind { CAMERA_PERSPECTIVE, CAMERA_ORTHOGRAPHIC };
+enum camera_kind {
+	CAMERA_PERSPECTIVE,
+	CAMERA_ORTHOGRAPHIC,
+	CAMERA_FISHEYE,
+	CAMERA_ULTRA_WIDE_ANGLE,
+	CAMERA_OMNIMAX,
+	CAMERA_PANORAMIC,
+	CAMERA_SPHERICAL,
+	CAMERA_CYLINDER_1, /* axis up, from a point */
+	CAMERA_CYLINDER_2, /* axis right, from a point */
+	CAMERA_CYLINDER_3, /* axis up, from the axis */
+	CAMERA_CYLINDER_4 /* axis right, from the axis */
+};
 
 /* Placed for good: a ray through (x, y) in -0.5..0.5 (right, up) has, for a perspective camera, the
  * origin location and the direction direction + x right + y up; for an orthographic one the origin
@@ -30,6 +42,11 @@ enum camera_kind { CAMERA_PERSPECTIVE, CAMERA_ORTHOGRAPHIC };
 struct camera {
 	enum camera_kind kind;
 	vec location, direction, right, up;
+	double angle; /* degrees: fisheye, ultra_wide_angle, cylinder; spherical: across */
+	double angle_up; /* degrees: spherical */
+	double aperture; /* focal blur; 0: none. What is in focus is focal_distance away */
+	double focal_distance;
+	uint32_t blur_samples;
 	struct diag_pos pos;
 };
 

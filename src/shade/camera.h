@@ -9,8 +9,16 @@
 #include "scene/scene.h"
 
 /* The ray through (x, y) of a width x height picture, in pixels from its top left corner; *dir is unit.
- * False: there is none (the camera's direction has no length). */
+ * False: there is none (outside a fisheye's circle; or the camera's direction has no length). */
 bool camera_ray(const struct camera *, double x, double y, double width, double height, vec *org,
 		vec *dir);
+
+/* The same through a point of the lens, -1..1 across and up within the unit circle. */
+bool camera_lens_ray(const struct camera *, double x, double y, double width, double height,
+		     double lens_x, double lens_y, vec *org, vec *dir);
+
+/* All its rays start in one point. */
+bool camera_is_point(const struct camera *);
+bool camera_has_lens(const struct camera *);
 
 #endif

@@ -36,7 +36,11 @@ void shade_sky(const struct shader *sh, struct node *n)
 	const struct rgbft *b = &sh->scene->background;
 	n->colour = rgbft_rgb(*b);
 	n->transmit = 0;
-	if (!n->clear_sky)
+	if (n->nowhere) {
+		n->colour = rgb_make(0, 0, 0);
+		n->transmit = sh->alpha ? 1 : 0;
+	}
+	if (n->nowhere || !n->clear_sky)
 		return;
 	if (sh->scene->version < 370) {
 		n->colour = rgb_make(0, 0, 0);

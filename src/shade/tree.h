@@ -31,6 +31,7 @@ struct node {
 	bool straight; /* went on through a surface without bending: not counted as a level */
 	bool mirrored; /* it or a ray before it was reflected: sees as mirrors do, also through glass */
 	bool clear_sky; /* the background's transparency is wanted (alpha) */
+	bool nowhere; /* no ray at all: the camera sees nothing here */
 	uint32_t first_part, part_count; /* no parts: colour is what it is */
 	struct rgb colour;
 	double transmit; /* how much of the background is seen, for alpha */

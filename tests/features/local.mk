@@ -2,6 +2,16 @@ TESTS += tests/features/features.sh
 EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/area-more.pov \
 	tests/features/area.pov \
+	tests/features/camera-cylinder1.pov \
+	tests/features/camera-cylinder2.pov \
+	tests/features/camera-cylinder3.pov \
+	tests/features/camera-cylinder4.pov \
+	tests/features/camera-fisheye.pov \
+	tests/features/camera-omnimax.pov \
+	tests/features/camera-panoramic.pov \
+	tests/features/camera-spherical-half.pov \
+	tests/features/camera-spherical.pov \
+	tests/features/camera-wide.pov \
 	tests/features/depth-limit.pov \
 	tests/features/diffuse-back.pov \
 	tests/features/diffuse.pov \
@@ -34,6 +44,16 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/union.pov \
 	tests/features/area-more.exr \
 	tests/features/area.exr \
+	tests/features/camera-cylinder1.exr \
+	tests/features/camera-cylinder2.exr \
+	tests/features/camera-cylinder3.exr \
+	tests/features/camera-cylinder4.exr \
+	tests/features/camera-fisheye.exr \
+	tests/features/camera-omnimax.exr \
+	tests/features/camera-panoramic.exr \
+	tests/features/camera-spherical-half.exr \
+	tests/features/camera-spherical.exr \
+	tests/features/camera-wide.exr \
 	tests/features/depth-limit.exr \
 	tests/features/diffuse-back.exr \
 	tests/features/diffuse.exr \
@@ -64,4 +84,5 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/terminator.exr \
 	tests/features/union-glass.exr \
 	tests/features/union.exr \
+	tests/features/room.inc \
 	tests/features/stage.inc

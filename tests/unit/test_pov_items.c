@@ -82,6 +82,37 @@ static const struct {
 	  { 21.39, -14.28, 42.87 } },
 };
 
+/* Angles that stay angles, and those that POV-Ray takes where none is given. */
+static void test_camera_angles(void **unused)
+{
+	static const struct {
+		const char *text;
+		enum camera_kind kind;
+		double angle, angle_up;
+	} row[] = {
+		{ "camera { fisheye angle 200 }", CAMERA_FISHEYE, 200, 0 },
+		{ "camera { fisheye }", CAMERA_FISHEYE, 90, 180 },
+		{ "camera { spherical }", CAMERA_SPHERICAL, 360, 180 },
+		{ "camera { spherical angle 100 }", CAMERA_SPHERICAL, 100, 50 },
+		{ "camera { spherical angle 100, 20 }", CAMERA_SPHERICAL, 100, 20 },
+		{ "camera { cylinder 4 angle 270 }", CAMERA_CYLINDER_4, 270, 0 },
+		{ "#declare C = camera { ultra_wide_angle angle 70 } camera { C rotate y }",
+		  CAMERA_ULTRA_WIDE_ANGLE, 70, 0 },
+	};
+
+	(void)unused;
+	for (size_t i = 0; i < sizeof(row) / sizeof(row[0]); i++) {
+		struct fixture f;
+
+		fixture_read(&f, row[i].text, false);
+		assert_int_equal(f.status, STATUS_OK);
+		assert_int_equal(f.scene.camera.kind, row[i].kind);
+		assert_double_equal(f.scene.camera.angle, row[i].angle, 0);
+		assert_double_equal(f.scene.camera.angle_up, row[i].angle_up, 0);
+		fixture_release(&f);
+	}
+}
+
 static void expect_hit(const struct camera *c, double x, double y, const double want[3],
 		       const char *text)
 {
@@ -446,8 +477,7 @@ static void test_unsupported(void **unused)
 		  "error: subsurface light transport is" },
 		{ "sphere { 0, 1 hollow interior { media { emission 1 } } }", "1:33: error: media is" },
 		{ "sphere { 0, 1 interior { dispersion 1.1 } }", "1:26: error: dispersion is" },
-		{ "camera { fisheye angle 200 }", "1:10: error: fisheye camera is" },
-		{ "camera { panoramic }", "1:10: error: panoramic camera is" },
+		{ "camera { mesh_camera { 1 0 } }", "1:10: error: mesh_camera is" },
 		{ "camera { aperture 1 blur_samples 10 }", "error: focal blur is" },
 		{ "camera { normal { bumps 1 } }", "1:10: error: camera normal is" },
 	};
@@ -481,6 +511,7 @@ static void test_errors(void **unused)
 		{ "sphere { 0, 1 texture { T } }", "1:25: error: the undeclared identifier T is not expected" },
 		{ "sphere { 0, 1 pigment { rgb 1 }", "error: the file ends inside sphere { ... }: a } is" },
 		{ "camera { angle 180 }", "1:16: error: angle is 180, but has to be below 180 degrees\n" },
+		{ "camera { cylinder 5 }", "1:19: error: cylinder cameras are of type 1 to 4, not 5" },
 		{ "camera { angle -1 }", "1:16: error: angle is -1, but cannot be negative\n" },
 		{ "camera { location 1 look_at 1 }", "1:29: error: look_at is the camera's location" },
 		{ "camera { right x up x }", "1:1: error: the camera's right, up and direction lie in one" },
@@ -518,7 +549,7 @@ static void test_errors(void **unused)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_cameras),	 cmocka_unit_test(test_lights),
+		cmocka_unit_test(test_camera_angles), cmocka_unit_test(test_cameras),	 cmocka_unit_test(test_lights),
 		cmocka_unit_test(test_finishes), cmocka_unit_test(test_textures),
 		cmocka_unit_test(test_defaults), cmocka_unit_test(test_objects),
 		cmocka_unit_test(test_unions),	 cmocka_unit_test(test_settings),

@@ -11,14 +11,19 @@
 
 #define TINY 1e-10 /* what POV-Ray takes for 0 */
 #define PI 3.14159265358979323846
+#define BLUR_SAMPLES_MAX 1e6
 
 /* A camera before it is placed. */
 struct draft {
 	enum camera_kind kind;
 	vec location, direction, right, up, sky, look_at;
 	bool has_right, has_up, has_angle, has_look_at;
-	double angle; /* degrees; 0: given without a value */
-	double aperture, blur_samples;
+	double angle, angle_up; /* degrees; 0: given without a value */
+	double aperture, blur_samples, focal_distance;
+	double direction_length; /* what angle or look_at left of it, for want of a focal_point */
+	vec focal_point;
+	bool has_focal_point;
+	bool moved; /* a declared camera, complete but for transforms */
 	struct xform place;
 	struct diag_pos pos, angle_pos, look_pos;
 	struct pov_lack lack;
@@ -32,18 +37,25 @@ static struct draft draft_default(void)
 			       .up = { 0, 1, 0 },
 			       .sky = { 0, 1, 0 },
 			       .look_at = { 0, 0, 1 },
+			       .focal_distance = -1,
+			       .direction_length = 1,
 			       .place = xform_identity };
 }
 
+/* Only these two have the view's width in the direction's length; the others have the angle itself, or
+ * none. */
 static void apply_angle(struct pov *p, struct draft *d)
 {
+	if (d->kind != CAMERA_PERSPECTIVE && d->kind != CAMERA_ORTHOGRAPHIC)
+		return;
 	if (d->angle >= 180) {
 		pov_fail_at(p, &d->angle_pos, "angle is %g, but has to be below 180 degrees", d->angle);
 		return;
 	}
-	if (d->angle > 0)
-		d->direction = vec_scale(vec_unit(d->direction), vec_length(d->right) /
-					 tan(d->angle * PI / 360) / 2);
+	if (d->angle > 0) {
+		d->direction_length = vec_length(d->right) / tan(d->angle * PI / 360) / 2;
+		d->direction = vec_scale(vec_unit(d->direction), d->direction_length);
+	}
 }
 
 static void apply_look_at(struct pov *p, struct draft *d)
@@ -67,6 +79,7 @@ static void apply_look_at(struct pov *p, struct draft *d)
 	d->up = vec_scale(vec_cross(to, across), up);
 	d->right = vec_scale(across, handed > 0 ? right : -right);
 	d->direction = vec_scale(to, direction);
+	d->direction_length = direction;
 }
 
 /* The view of an orthographic camera is as wide as a perspective one's where it looks at. */
@@ -89,53 +102,60 @@ static void apply_place(struct draft *d)
 	d->sky = mat_dir(&d->place.fwd, d->sky);
 }
 
-static const char *camera_type(enum pov_token_kind t)
+static void read_cylinder(struct pov *p, struct draft *d)
 {
-	switch (t) {
-	case TOK_FISHEYE:
-		return "fisheye camera";
-	case TOK_ULTRA_WIDE_ANGLE:
-		return "ultra_wide_angle camera";
-	case TOK_OMNIMAX:
-		return "omnimax camera";
-	case TOK_PANORAMIC:
-		return "panoramic camera";
-	case TOK_SPHERICAL:
-		return "spherical camera";
-	case TOK_CYLINDER:
-		return "cylinder camera";
-	case TOK_MESH_CAMERA:
-		return "mesh_camera";
-	default:
-		return NULL;
-	}
+	struct diag_pos at;
+	double x;
+
+	pov_next(p);
+	at = pov_here(p);
+	x = pov_finite_float(p, "the cylinder camera's type");
+	if (x < 1 || x >= 5)
+		pov_fail_at(p, &at, "cylinder cameras are of type 1 to 4, not %g", x);
+	else
+		d->kind = CAMERA_CYLINDER_1 + (unsigned)x - 1;
 }
 
-/* perspective, orthographic, and those that we do not render. */
+static void read_mesh_camera(struct pov *p, struct draft *d)
+{
+	pov_lack_note(p, &d->lack, "mesh_camera", "use another camera");
+	pov_next(p);
+	if (pov_token(p) == TOK_LEFT_BRACE)
+		pov_skip_block(p);
+}
+
 static bool read_type(struct pov *p, struct draft *d)
 {
+	static const struct {
+		enum pov_token_kind token;
+		enum camera_kind kind;
+	} type[] = { { TOK_PERSPECTIVE, CAMERA_PERSPECTIVE },
+		     { TOK_ORTHOGRAPHIC, CAMERA_ORTHOGRAPHIC },
+		     { TOK_FISHEYE, CAMERA_FISHEYE },
+		     { TOK_ULTRA_WIDE_ANGLE, CAMERA_ULTRA_WIDE_ANGLE },
+		     { TOK_OMNIMAX, CAMERA_OMNIMAX },
+		     { TOK_PANORAMIC, CAMERA_PANORAMIC },
+		     { TOK_SPHERICAL, CAMERA_SPHERICAL } };
 	enum pov_token_kind t = pov_token(p);
-	const char *other = camera_type(t);
 
-	if (t == TOK_PERSPECTIVE) {
-		d->kind = CAMERA_PERSPECTIVE;
-	} else if (t == TOK_ORTHOGRAPHIC) {
-		d->kind = CAMERA_ORTHOGRAPHIC;
-		if (pov_version(p) < 350)
-			apply_orthographic(d);
-	} else if (other) {
-		pov_lack_note(p, &d->lack, other, "use a perspective or orthographic camera");
-	} else {
-		return false;
+	if (t == TOK_CYLINDER) {
+		read_cylinder(p, d);
+		return true;
 	}
-	pov_next(p);
-	if (t == TOK_CYLINDER)
-		pov_float(p);
-	else if (t == TOK_SPHERICAL && pov_starts_number(p))
-		pov_float(p);
-	else if (t == TOK_MESH_CAMERA && pov_token(p) == TOK_LEFT_BRACE)
-		pov_skip_block(p);
-	return true;
+	if (t == TOK_MESH_CAMERA) {
+		read_mesh_camera(p, d);
+		return true;
+	}
+	for (size_t i = 0; i < sizeof(type) / sizeof(type[0]); i++) {
+		if (t != type[i].token)
+			continue;
+		pov_next(p);
+		d->kind = type[i].kind;
+		if (t == TOK_ORTHOGRAPHIC && pov_version(p) < 350)
+			apply_orthographic(d);
+		return true;
+	}
+	return false;
 }
 
 static void read_angle(struct pov *p, struct draft *d)
@@ -145,19 +165,20 @@ static void read_angle(struct pov *p, struct draft *d)
 	d->has_angle = true;
 	d->angle = 0;
 	/* The add-on writes the word alone in orthographic cameras. */
-	if (pov_starts_number(p)) {
+	if (pov_starts_number(p))
 		d->angle = pov_finite_float(p, "angle");
-		if (d->angle < 0)
-			pov_fail_at(p, &d->angle_pos, "angle is %g, but cannot be negative", d->angle);
-		if (d->lack.construct) { /* fisheye and the like: two angles, or above 180 */
-			pov_comma(p);
-			if (pov_starts_number(p))
-				pov_float(p);
-		}
-	} else if (d->kind != CAMERA_ORTHOGRAPHIC && !d->lack.construct) {
+	else if (d->kind != CAMERA_ORTHOGRAPHIC)
 		pov_fail(p, "angle needs a number of degrees");
+	if (d->kind == CAMERA_SPHERICAL) {
+		d->angle_up = d->angle / 2;
+		pov_comma(p);
+		if (pov_starts_number(p))
+			d->angle_up = pov_finite_float(p, "angle");
 	}
-	if (pov_version(p) < 350 && d->kind == CAMERA_PERSPECTIVE && !d->lack.construct)
+	if (d->angle < 0 || d->angle_up < 0)
+		pov_fail_at(p, &d->angle_pos, "angle is %g, but cannot be negative",
+			    d->angle < 0 ? d->angle : d->angle_up);
+	if (pov_version(p) < 350 && d->kind == CAMERA_PERSPECTIVE)
 		apply_angle(p, d);
 }
 
@@ -171,45 +192,64 @@ static void read_look_at(struct pov *p, struct draft *d)
 		apply_look_at(p, d);
 }
 
-/* Depth of field and a bumpy lens, which are not rendered. */
+/* blur_samples MOST or LEAST, MOST. What is least does not matter here: see render/lens.c. */
+static void read_blur_samples(struct pov *p, struct draft *d)
+{
+	struct diag_pos at;
+	double least = 0;
+
+	pov_next(p);
+	at = pov_here(p);
+	d->blur_samples = pov_finite_float(p, "blur_samples");
+	if (d->blur_samples <= 0)
+		pov_fail_at(p, &at, "blur_samples is %g, but has to be greater than 0", d->blur_samples);
+	pov_comma(p);
+	if (pov_starts_number(p)) {
+		least = d->blur_samples;
+		d->blur_samples = pov_finite_float(p, "blur_samples");
+	}
+	if (d->blur_samples == 0)
+		d->blur_samples = least;
+	else if (least > d->blur_samples)
+		pov_fail_at(p, &at, "blur_samples: the smaller number comes first");
+}
+
+/* Depth of field, and a bumpy lens, which is not rendered. */
 static bool read_optics(struct pov *p, struct draft *d)
 {
 	switch (pov_token(p)) {
 	case TOK_APERTURE:
 		pov_next(p);
 		d->aperture = pov_finite_float(p, "aperture");
-		break;
+		return true;
 	case TOK_BLUR_SAMPLES:
-		pov_next(p);
-		d->blur_samples = pov_finite_float(p, "blur_samples");
-		pov_comma(p);
-		if (pov_starts_number(p))
-			pov_float(p);
-		break;
+		read_blur_samples(p, d);
+		return true;
 	case TOK_CONFIDENCE:
 	case TOK_VARIANCE:
 		pov_next(p);
 		pov_float(p);
-		break;
+		return true;
 	case TOK_FOCAL_POINT:
 		pov_next(p);
-		pov_vector(p);
-		break;
+		d->focal_point = pov_finite_vector(p, "focal_point");
+		d->has_focal_point = true;
+		if (pov_version(p) < 350)
+			d->focal_distance = vec_length(vec_sub(d->focal_point, d->location));
+		return true;
 	case TOK_NORMAL:
 		pov_lack_note(p, &d->lack, "camera normal", "remove normal { } from the camera");
 		pov_next(p);
 		pov_skip_block(p);
-		break;
+		return true;
 	case TOK_BOKEH:
+		pov_lack_note(p, &d->lack, "bokeh", "remove bokeh { }, which POV-Ray 3.7 does not know");
 		pov_next(p);
 		pov_skip_block(p);
-		break;
+		return true;
 	default:
 		return false;
 	}
-	if (d->aperture != 0 && d->blur_samples > 0)
-		pov_lack_note(p, &d->lack, "focal blur", "remove aperture and blur_samples from the camera");
-	return true;
 }
 
 static bool read_modifier(struct pov *p, struct draft *d)
@@ -272,11 +312,17 @@ static void check_camera(struct pov *p, const struct draft *d)
 static void move_declared(struct pov *p, const struct pov_camera *c, struct draft *d)
 {
 	d->kind = c->camera.kind;
+	d->angle = c->camera.angle;
+	d->angle_up = c->camera.angle_up;
+	d->aperture = c->camera.aperture;
+	d->focal_distance = c->camera.focal_distance;
+	d->blur_samples = c->camera.blur_samples;
 	d->location = c->camera.location;
 	d->direction = c->camera.direction;
 	d->right = c->camera.right;
 	d->up = c->camera.up;
 	d->lack = c->lack;
+	d->moved = true;
 	while (!pov_failed(p) && pov_transform(p, &d->place))
 		;
 	apply_place(d);
@@ -294,14 +340,45 @@ static void read_body(struct pov *p, struct draft *d)
 		;
 	if (pov_version(p) < 350 || pov_failed(p))
 		return;
-	if (d->has_angle && !d->lack.construct)
+	if (d->has_angle)
 		apply_angle(p, d);
 	if (d->has_look_at && !pov_failed(p))
 		apply_look_at(p, d);
 	/* As the add-on relies on: an angle of any value, or neither up nor right given. */
 	if (d->kind == CAMERA_ORTHOGRAPHIC && (d->has_angle || (!d->has_up && !d->has_right)))
 		apply_orthographic(d);
+	/* The transforms do not change it, as in POV-Ray. */
+	if (d->has_focal_point)
+		d->focal_distance = vec_length(vec_sub(d->focal_point, d->location));
 	apply_place(d);
+}
+
+/* POV-Ray's angles for want of others, and what is in focus for want of a focal_point. */
+static struct camera finished(const struct draft *d)
+{
+	struct camera c = { .kind = d->kind,
+			    .location = d->location,
+			    .direction = d->direction,
+			    .right = d->right,
+			    .up = d->up,
+			    .angle = d->angle,
+			    .angle_up = d->angle_up,
+			    .focal_distance = d->focal_distance,
+			    .pos = d->pos };
+
+	if (!d->moved && !d->has_angle) {
+		c.angle = d->kind == CAMERA_SPHERICAL ? 360 : 90;
+		c.angle_up = 180;
+	}
+	if (c.focal_distance < 0)
+		c.focal_distance = d->direction_length;
+	if (c.focal_distance == 0)
+		c.focal_distance = 1;
+	if (d->blur_samples > 0) {
+		c.aperture = d->aperture;
+		c.blur_samples = (uint32_t)fmin(d->blur_samples, BLUR_SAMPLES_MAX);
+	}
+	return c;
 }
 
 struct pov_camera *pov_read_camera(struct pov *p)
@@ -318,12 +395,9 @@ struct pov_camera *pov_read_camera(struct pov *p)
 	c = pov_new(p, sizeof(*c));
 	if (!c || !pov_close(p, "camera"))
 		return NULL;
-	c->camera = (struct camera){ .kind = d.kind,
-				     .location = d.location,
-				     .direction = d.direction,
-				     .right = d.right,
-				     .up = d.up,
-				     .pos = d.pos };
+	c->camera = finished(&d);
 	c->lack = d.lack;
+	if (c->camera.aperture != 0 && !c->lack.construct)
+		pov_lack_note(p, &c->lack, "focal blur", "remove aperture and blur_samples from the camera");
 	return c;
 }

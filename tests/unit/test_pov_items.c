@@ -107,8 +107,8 @@ static void test_camera_angles(void **unused)
 		fixture_read(&f, row[i].text, false);
 		assert_int_equal(f.status, STATUS_OK);
 		assert_int_equal(f.scene.camera.kind, row[i].kind);
-		assert_double_equal(f.scene.camera.angle, row[i].angle, 0);
-		assert_double_equal(f.scene.camera.angle_up, row[i].angle_up, 0);
+		assert_true(f.scene.camera.angle == row[i].angle);
+		assert_true(f.scene.camera.angle_up == row[i].angle_up);
 		fixture_release(&f);
 	}
 }

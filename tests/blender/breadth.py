@@ -3,11 +3,16 @@
 """Many varied Blender files, each exported by the stock POV-Ray add-on and drawn by both renderers: run by
 breadth.sh.
 
-    breadth.py [NUMBER...]
+    breadth.py [ordinary] [NUMBER...]
 
-Environment: ALIDADE, ALIDADE_SRC, ALIDADE_BUILD; ALIDADE_BREADTH is how many (75: each kind three times),
+Environment: ALIDADE, ALIDADE_SRC, ALIDADE_BUILD; ALIDADE_BREADTH is how many (75, ordinary 100),
 ALIDADE_BREADTH_SEED chooses others (1). The files stay in ALIDADE_BUILD/tests/breadth, the report is
 ALIDADE_BUILD/tests/breadth.html.
+
+Ordinary files have what Blender users have beyond plain meshes, and radiosity as the add-on writes it by
+default. They are drawn twice: without the radiosity block, pixel by pixel as the plain ones are (but where
+something is random, by RMSE, both sides with many samples a pixel), and with it, against POV-Ray's
+picture at high quality: RMSE and mean signed error in sRGB.
 
 Sizes go down to where POV-Ray's fixed distances (1e-3 and so on) show in its pictures. A file that misses
 the figure because of these, and only these, passes with a note; that it is these is shown by POV-Ray's own
@@ -16,6 +21,7 @@ picture of the same file made 100 times larger.
 import concurrent.futures
 import os
 import re
+import shutil
 import subprocess
 import sys
 import traceback
@@ -29,6 +35,13 @@ import tap
 
 SIZE = (160, 120)
 LEAST = 99.8
+ORDINARY_LEAST = 99.5
+RMSE, MEAN = 0.004, 0.001
+RADIOSITY = re.compile(r'\bradiosity\s*\{[^{}]*\}')
+# What the add-on's coarse cache is an approximation of.
+HIGH = {'count': '1600', 'error_bound': '0.1', 'nearest_count': '10', 'pretrace_start': '0.08',
+        'pretrace_end': '0.01', 'minimum_reuse': '0.002'}
+RANDOM = re.compile(r'\b(?:jitter|aperture|media|crand)\b')
 
 
 class Outcome:
@@ -38,15 +51,17 @@ class Outcome:
         self.classes, self.complaints, self.notes = {}, [], []
 
 
-def export(number, seed, folder):
+def export(number, seed, folder, ordinary):
     """The .pov of one file, and what Blender said about it."""
     out = os.path.join(folder, '%d.pov' % number)
     if os.path.exists(out):
         os.remove(out)
+    shutil.rmtree(os.path.join(folder, str(number)), ignore_errors=True)
+    os.makedirs(os.path.join(folder, str(number))) # its images
     script = os.path.join(os.environ['ALIDADE_SRC'], 'tests', 'blender', 'make.py')
     done = subprocess.run(['blender', '-b', '--factory-startup', '-P', script, '--', folder, str(number),
-                           str(seed)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=300,
-                          stdin=subprocess.DEVNULL, check=False)
+                           str(seed)] + ['ordinary'] * ordinary, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, timeout=300, stdin=subprocess.DEVNULL, check=False)
     text = done.stdout.decode('utf-8', 'replace')
     said = re.search(r'^scene \d+: (.*)$', text, re.M)
     if not re.search(r'^exported ', text, re.M) or not os.path.exists(out):
@@ -74,12 +89,76 @@ def compare(outcome, pov, folder):
         outcome.complaints = []
 
 
-def attempt(number, seed, folder):
+def written(path, text):
+    with open(path, 'w', encoding='utf-8') as file:
+        file.write(text)
+    return path
+
+
+def alike(figures, rmse, mean):
+    """What is worse than allowed of a picture with random numbers in it."""
+    found = figures.complaints(0, mean)
+    if figures.rmse > rmse:
+        found.append('RMSE %.6f, at most %g is wanted' % (figures.rmse, rmse))
+    return found
+
+
+def direct(outcome, text, base):
+    """Without indirect light."""
+    pov = written(os.path.join(base, 'direct.pov'), RADIOSITY.sub('', text, count=1))
+    noisy = RANDOM.search(text) is not None
+    aa = 'many' if noisy else None
+    theirs = renderers.povray(pov, os.path.join(base, 'direct.exr'), SIZE, aa)
+    renderers.alidade(pov, os.path.join(base, 'direct.pfm'), SIZE, aa=aa, threads=1)
+    ours = picture.read(os.path.join(base, 'direct.pfm'))
+    outcome.figures = measure.Figures(ours, theirs)
+    if noisy:
+        outcome.complaints += alike(outcome.figures, RMSE, MEAN)
+        return
+    outcome.complaints = outcome.figures.complaints(ORDINARY_LEAST)
+    if not outcome.complaints:
+        return
+    larger = renderers.povray(pov, os.path.join(base, 'larger.exr'), SIZE, factor=100)
+    outcome.classes = measure.classify(outcome.figures, larger)
+    if not measure.Figures(ours, larger).complaints(ORDINARY_LEAST):
+        outcome.notes += ['POV-Ray\'s own tolerances, as its picture of the scene made 100 times larger '
+                          'shows: ' + sentence for sentence in outcome.complaints]
+        outcome.complaints = []
+
+
+def indirect(outcome, text, base):
+    """With it, by both methods."""
+    block = RADIOSITY.search(text).group(0)
+    high = block
+    for word, value in HIGH.items():
+        high = re.sub(r'\b%s\s+[-+.\deE]+' % word, '%s %s' % (word, value), high)
+    pov = written(os.path.join(base, 'indirect.pov'), text)
+    aa = 'many' if RANDOM.search(text.replace(block, '')) else None
+    theirs = renderers.povray(written(os.path.join(base, 'high.pov'), text.replace(block, high)),
+                              os.path.join(base, 'high.exr'), SIZE, aa)
+    for method, rmse, mean in (('exact', RMSE, MEAN), ('cache', 1.5 * RMSE, 2 * MEAN)):
+        out = os.path.join(base, method + '.pfm')
+        renderers.alidade(pov, out, SIZE, aa=aa, threads=1, more=['--indirect=' + method])
+        figures = measure.Figures(picture.read(out), theirs)
+        outcome.notes.append('%s: %s' % (method, figures.text()))
+        outcome.complaints += ['%s: %s' % (method, c) for c in alike(figures, rmse, mean)]
+
+
+def compare_ordinary(outcome, pov, folder):
+    base = os.path.join(folder, str(outcome.number))
+    with open(pov, encoding='utf-8') as file:
+        text = file.read()
+    direct(outcome, text, base)
+    if not os.environ.get('ALIDADE_BREADTH_DIRECT'):
+        indirect(outcome, text, base)
+
+
+def attempt(number, seed, folder, ordinary):
     outcome = Outcome(number)
     try:
-        pov, said = export(number, seed, folder)
+        pov, said = export(number, seed, folder, ordinary)
         outcome.name = 'file %d: %s' % (number, said)
-        compare(outcome, pov, folder)
+        (compare_ordinary if ordinary else compare)(outcome, pov, folder)
     except (renderers.Failed, picture.Unreadable, OSError, subprocess.TimeoutExpired) as failure:
         outcome.problem = str(failure)
     except Exception:
@@ -101,13 +180,15 @@ def tell(outcome, page):
 
 
 def main():
-    folder = os.path.join(os.environ['ALIDADE_BUILD'], 'tests', 'breadth')
+    ordinary = sys.argv[1:2] == ['ordinary']
+    folder = os.path.join(os.environ['ALIDADE_BUILD'], 'tests', 'ordinary' if ordinary else 'breadth')
     os.makedirs(folder, exist_ok=True)
     seed = int(os.environ.get('ALIDADE_BREADTH_SEED', '1'))
-    numbers = [int(n) for n in sys.argv[1:]] or range(int(os.environ.get('ALIDADE_BREADTH', '75')))
+    numbers = [int(n) for n in sys.argv[1 + ordinary:]]
+    numbers = numbers or range(int(os.environ.get('ALIDADE_BREADTH', '100' if ordinary else '75')))
     page = report.Report()
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        for outcome in pool.map(lambda n: attempt(n, seed, folder), numbers):
+        for outcome in pool.map(lambda n: attempt(n, seed, folder, ordinary), numbers):
             tell(outcome, page)
     page.write(folder + '.html')
     tap.note('report: %s.html' % folder)

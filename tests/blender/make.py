@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Make one varied Blender file and export it with Blender's own POV-Ray add-on.
 
-    blender -b --factory-startup -P make.py -- FOLDER NUMBER SEED
+    blender -b --factory-startup -P make.py -- FOLDER NUMBER SEED [ordinary]
 
 writes FOLDER/NUMBER.pov, and always the same scene for the same NUMBER and SEED (up to the order in which
 Blender numbers vertices). NUMBER chooses the kind of thing in kinds.py, and with SEED everything else:
 materials, lamps, world, floor, camera and the scale of the whole, 1e-2 to 1e3 times.
+ordinary: also what ordinary.py has, and radiosity as the add-on has it by default.
 """
 import math
 import os
@@ -21,6 +22,7 @@ here = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [here, os.path.join(here, os.pardir, os.pardir, 'scenes')]
 import common as c
 import kinds
+import ordinary
 
 
 def colour(rng, least=0.05, most=0.9):
@@ -57,7 +59,7 @@ def extent():
     bpy.context.view_layer.update()
     points = []
     for ob in bpy.context.scene.objects:
-        if ob.type in {'MESH', 'FONT', 'CURVE'} and not (ob.type == 'MESH' and not ob.data.vertices):
+        if ob.type in {'MESH', 'FONT', 'CURVE', 'META'} and not (ob.type == 'MESH' and not ob.data.vertices):
             points += [ob.matrix_world @ mathutils.Vector(corner) for corner in ob.bound_box]
     least = mathutils.Vector([min(p[a] for p in points) for a in range(3)])
     most = mathutils.Vector([max(p[a] for p in points) for a in range(3)])
@@ -103,31 +105,47 @@ def resize(factor):
             ob.data.ortho_scale *= factor
 
 
-def build(number, seed):
+def look(rng, is_ordinary, radius):
+    """Materials for what has none."""
+    i = 0
+    for ob in bpy.context.scene.objects:
+        if ob.type in {'MESH', 'FONT', 'CURVE'} and not ob.data.materials and rng.random() < 0.9:
+            mat = dress(rng, i, radius)
+            ob.data.materials.append(mat)
+            i += 1
+            if is_ordinary and ob.type == 'MESH' and rng.random() < 0.5:
+                ordinary.unwrapped(ob)
+                ordinary.picture(rng, os.path.join(folder, number), mat)
+
+
+def build(number, seed, is_ordinary):
     rng = random.Random('%d %d' % (seed, number))
     c.start(size=(160, 120), background=colour(rng, 0.0, 0.7), ambient=colour(rng, 0.0, 0.2),
             text=rng.choice(('compact', 'compact', 'indented', 'lines')))
     bpy.context.scene.pov.max_trace_level = rng.choice((3, 5, 5, 7))
     kinds.enable()
-    kind = kinds.KINDS[number % len(kinds.KINDS)]
+    every = kinds.KINDS + list(ordinary.KINDS) if is_ordinary else kinds.KINDS
+    kind = every[number % len(every)]
     kind(rng)
     middle, radius, bottom = extent()
     if rng.random() < 0.7:
         c.floor(size=rng.uniform(3, 12) * radius, z=bottom - 0.02 * radius)
-    i = 0
-    for ob in bpy.context.scene.objects:
-        if ob.type in {'MESH', 'FONT', 'CURVE'} and not ob.data.materials and rng.random() < 0.9:
-            ob.data.materials.append(dress(rng, i, radius))
-            i += 1
+    look(rng, is_ordinary, radius)
     ortho = 2.2 * radius if rng.random() < 0.15 else None
     c.camera(around(rng, middle, 2.6 * radius), middle, lens=rng.uniform(35, 60), ortho=ortho)
     light(rng, middle, radius)
+    if is_ordinary:
+        bpy.context.scene.pov.radio_enable = True
+        ordinary.world(rng, os.path.join(folder, str(number)), radius)
+        ordinary.soften(rng)
+        if rng.random() < 0.15:
+            ordinary.blur(rng, rng.choice([ob for ob in bpy.context.scene.objects if ob.type == 'MESH']))
     factor = 10 ** rng.choice((-1.5, -0.5, 0, 0, 0, 0, 0.5, 1, 2, 2.8))
     resize(factor)
     print('scene %d: %s, %d objects, %.3g units' % (number, kind.__name__, len(bpy.data.objects),
                                                    2 * radius * factor))
 
 
-folder, number, seed = sys.argv[sys.argv.index('--') + 1:]
+folder, number, seed, *more = sys.argv[sys.argv.index('--') + 1:]
 sys.argv = sys.argv[:sys.argv.index('--')] + ['--', folder]
-c.run(number, lambda: build(int(number), int(seed)))
+c.run(number, lambda: build(int(number), int(seed), more == ['ordinary']))

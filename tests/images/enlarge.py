@@ -27,6 +27,10 @@ def enlarge(text, factor):
     text = re.sub(r'(\bfade_distance\s+)([-+.\deE]+)',
                   lambda m: '%s%.9g' % (m.group(1), float(m.group(2)) * factor), text)
 
+    # The distance of fog.
+    text = re.sub(r'(\bfog\s*\{\s*distance\s+)([-+.\deE]+)',
+                  lambda m: '%s%.9g' % (m.group(1), float(m.group(2)) * factor), text)
+
     def camera(match):
         block = re.sub(r'(\btranslate\s*)' + VECTOR, _times(factor), match.group(0))
         if 'orthographic' in block:

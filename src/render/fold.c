@@ -59,5 +59,11 @@ void fold_nodes(struct tree *t, uint32_t first, uint32_t count)
 			n->colour = rgb_add(n->colour, rgb_scale(colour, p->share));
 			n->transmit += transmit * p->share;
 		}
+		if (n->veil) {
+			const struct veil *v = BUF_AT(&t->veil, struct veil, n->veil - 1);
+
+			n->colour = rgb_add(rgb_mul(n->colour, v->clear), v->glow);
+			n->transmit *= rgb_grey(v->clear);
+		}
 	}
 }

@@ -115,7 +115,7 @@ static void follow_batch(struct worker *w, uint32_t first, uint32_t n, uint32_t 
 struct frame {
 	uint32_t done, end; /* nodes done .. end - 1 are still to be followed */
 	uint32_t batch, batched; /* the batch being followed: first node, how many */
-	uint32_t node, part, mirror, inside; /* counts before it */
+	uint32_t node, part, mirror, inside, veil; /* counts before it */
 };
 
 static bool push_frame(struct worker *w, uint32_t first, uint32_t end)
@@ -138,6 +138,7 @@ static void finish_batch(struct worker *w, struct frame *f)
 	t->part.count = f->part;
 	t->mirror.count = f->mirror;
 	t->inside.count = f->inside;
+	t->veil.count = f->veil;
 	f->batched = 0;
 }
 
@@ -153,6 +154,7 @@ static bool next_batch(struct worker *w, struct frame *f, uint32_t hints)
 	f->part = t->part.count;
 	f->mirror = t->mirror.count;
 	f->inside = t->inside.count;
+	f->veil = t->veil.count;
 	follow_batch(w, f->batch, n, hints);
 	if (t->no_memory)
 		return false;

@@ -13,6 +13,7 @@ void tree_init(struct tree *t, struct mem_book *book)
 	t->part.size = sizeof(struct part);
 	t->mirror.size = sizeof(struct mirror);
 	t->inside.size = sizeof(struct inside);
+	t->veil.size = sizeof(struct veil);
 	t->met.size = sizeof(struct met);
 	t->layer.size = sizeof(struct lit_layer);
 	t->lit.size = sizeof(struct lit);
@@ -32,13 +33,13 @@ void tree_reset_wave(struct tree *t)
 
 void tree_reset(struct tree *t)
 {
-	t->node.count = t->part.count = t->mirror.count = t->inside.count = 0;
+	t->node.count = t->part.count = t->mirror.count = t->inside.count = t->veil.count = 0;
 	tree_reset_wave(t);
 }
 
 void tree_release(struct tree *t)
 {
-	struct buf *all[] = { &t->node, &t->part,  &t->mirror, &t->inside, &t->met, &t->layer, &t->lit,
+	struct buf *all[] = { &t->node, &t->part,  &t->mirror, &t->inside, &t->veil, &t->met, &t->layer, &t->lit,
 			      &t->shadow, &t->cell, &t->asked, &t->ray,	   &t->hit, &t->hidden };
 
 	for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); i++)
@@ -55,6 +56,24 @@ uint32_t tree_push(struct tree *t, struct buf *b, uint32_t n)
 	}
 	b->count += n;
 	return first;
+}
+
+void tree_veil(struct tree *t, uint32_t node, struct rgb clear, struct rgb glow)
+{
+	uint32_t i = BUF_AT(&t->node, struct node, node)->veil;
+	struct veil *v;
+
+	if (!i) {
+		i = tree_push(t, &t->veil, 1);
+		if (i == TREE_NONE)
+			return;
+		*BUF_AT(&t->veil, struct veil, i) = (struct veil){ clear, glow };
+		BUF_AT(&t->node, struct node, node)->veil = i + 1;
+		return;
+	}
+	v = BUF_AT(&t->veil, struct veil, i - 1);
+	v->glow = rgb_add(rgb_mul(clear, v->glow), glow);
+	v->clear = rgb_mul(clear, v->clear);
 }
 
 bool inside_contains(const struct tree *t, uint32_t list, uint32_t object)

@@ -33,8 +33,14 @@ struct node {
 	bool clear_sky; /* the background's transparency is wanted (alpha) */
 	bool nowhere; /* no ray at all: the camera sees nothing here */
 	uint32_t first_part, part_count; /* no parts: colour is what it is */
+	uint32_t veil; /* what hangs between its origin and its end: 1 + an index, or 0 */
 	struct rgb colour;
 	double transmit; /* how much of the background is seen, for alpha */
+};
+
+/* Media and fog on the way: what comes from the ray's end is multiplied by clear, glow is added. */
+struct veil {
+	struct rgb clear, glow;
 };
 
 /* Being in a solid; a list from the innermost outward that never changes, so that rays share it. */
@@ -109,7 +115,7 @@ struct cell {
 struct tree {
 	struct mem_book *book;
 	bool no_memory; /* sticky: some push failed */
-	struct buf node, part, mirror, inside; /* until folded */
+	struct buf node, part, mirror, inside, veil; /* until folded */
 	struct buf met, layer, lit, shadow, cell, asked; /* of the current wave */
 	struct buf ray, hit, hidden; /* of the current call to trace */
 };
@@ -121,6 +127,9 @@ void tree_release(struct tree *);
 
 /* Append n uninitialised elements; the index of the first, or TREE_NONE (then no_memory is set). */
 uint32_t tree_push(struct tree *, struct buf *, uint32_t n);
+
+/* Hang another veil before those that node has: nearer to its origin, or around them all. */
+void tree_veil(struct tree *, uint32_t node, struct rgb clear, struct rgb glow);
 
 /* Lists of what a ray is in. contains: the list has an entry for object. */
 bool inside_contains(const struct tree *, uint32_t list, uint32_t object);

@@ -78,7 +78,7 @@ uint32_t geometry_inside(const struct geometry *g, vec p, struct solid *solid, u
 		if (!leaf_holds(g, f, p, level))
 			continue;
 		if (n < room)
-			solid[n] = (struct solid){ f->solid, i, f->interior };
+			solid[n] = (struct solid){ f->solid, i, f->interior, f->flags & OBJECT_HOLLOW };
 		n++;
 	}
 	return n;

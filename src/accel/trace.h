@@ -86,6 +86,7 @@ struct solid {
 	uint32_t object; /* as in struct surface */
 	uint32_t leaf; /* of geometry's own numbering */
 	uint32_t interior; /* or SCENE_NONE */
+	bool hollow;
 };
 uint32_t geometry_inside(const struct geometry *, vec p, struct solid *, uint32_t room);
 

@@ -27,7 +27,7 @@ uint32_t shade_camera_inside(const struct shader *sh, struct tree *t, vec org)
 		return list;
 	n = geometry_inside(sh->geometry, org, solid, CAMERA_SOLIDS);
 	for (uint32_t i = 0; i < n && i < CAMERA_SOLIDS; i++)
-		list = inside_enter(t, list, solid[i].object, solid[i].interior);
+		list = inside_enter(t, list, solid[i].object, solid[i].interior, solid[i].hollow);
 	return list;
 }
 

@@ -85,14 +85,23 @@ bool inside_contains(const struct tree *t, uint32_t list, uint32_t object)
 	return false;
 }
 
-uint32_t inside_enter(struct tree *t, uint32_t list, uint32_t object, uint32_t interior)
+bool inside_hollow(const struct tree *t, uint32_t list)
+{
+	for (; list != TREE_NONE; list = BUF_AT(&t->inside, struct inside, list)->outer) {
+		if (!BUF_AT(&t->inside, struct inside, list)->hollow)
+			return false;
+	}
+	return true;
+}
+
+uint32_t inside_enter(struct tree *t, uint32_t list, uint32_t object, uint32_t interior, bool hollow)
 {
 	uint32_t i = tree_push(t, &t->inside, 1);
 
 	if (i == TREE_NONE)
 		return list;
 	*BUF_AT(&t->inside, struct inside, i) =
-		(struct inside){ .object = object, .interior = interior, .outer = list };
+		(struct inside){ .object = object, .interior = interior, .outer = list, .hollow = hollow };
 	return i;
 }
 
@@ -106,5 +115,5 @@ uint32_t inside_leave(struct tree *t, uint32_t list, uint32_t object)
 	if (head.object == object)
 		return head.outer;
 	/* Overlapping solids are few, so the entries further in are simply made anew. */
-	return inside_enter(t, inside_leave(t, head.outer, object), head.object, head.interior);
+	return inside_enter(t, inside_leave(t, head.outer, object), head.object, head.interior, head.hollow);
 }

@@ -46,6 +46,7 @@ struct veil {
 /* Being in a solid; a list from the innermost outward that never changes, so that rays share it. */
 struct inside {
 	uint32_t object, interior, outer;
+	bool hollow; /* the object is: media and fog fill it */
 };
 
 struct part {
@@ -133,7 +134,9 @@ void tree_veil(struct tree *, uint32_t node, struct rgb clear, struct rgb glow);
 
 /* Lists of what a ray is in. contains: the list has an entry for object. */
 bool inside_contains(const struct tree *, uint32_t list, uint32_t object);
-uint32_t inside_enter(struct tree *, uint32_t list, uint32_t object, uint32_t interior);
+/* Everything in it is hollow. */
+bool inside_hollow(const struct tree *, uint32_t list);
+uint32_t inside_enter(struct tree *, uint32_t list, uint32_t object, uint32_t interior, bool hollow);
 uint32_t inside_leave(struct tree *, uint32_t list, uint32_t object); /* its innermost entry */
 
 #endif

@@ -47,29 +47,28 @@ double interior_relative_ior(const struct scene *s, const struct tree *t, uint32
 	return head->outer == TREE_NONE ? 1 / own : around / own;
 }
 
-double interior_cross(const struct scene *s, struct tree *t, uint32_t *list, uint32_t object,
-		      uint32_t interior)
+double interior_cross(const struct scene *s, struct tree *t, uint32_t *list, const struct met *m)
 {
-	double own = interior_ior(s, interior), ratio;
+	double own = interior_ior(s, m->interior), ratio;
 	const struct inside *head;
 
 	if (*list == TREE_NONE) {
 		ratio = 1 / own;
-		*list = inside_enter(t, *list, object, interior);
+		*list = inside_enter(t, *list, m->object, m->interior, m->flags & OBJECT_HOLLOW);
 		return ratio;
 	}
 	head = BUF_AT(&t->inside, struct inside, *list);
-	if (head->object == object) { /* out of the innermost: the next one counts as outside */
+	if (head->object == m->object) { /* out of the innermost: the next one counts as outside */
 		*list = head->outer;
 		return *list == TREE_NONE ?
 			       own :
 			       own / interior_ior(s, BUF_AT(&t->inside, struct inside, *list)->interior);
 	}
-	if (inside_contains(t, *list, object)) { /* out of an overlap: left before */
-		*list = inside_leave(t, *list, object);
+	if (inside_contains(t, *list, m->object)) { /* out of an overlap: left before */
+		*list = inside_leave(t, *list, m->object);
 		return 1;
 	}
 	ratio = interior_ior(s, head->interior) / own;
-	*list = inside_enter(t, *list, object, interior);
+	*list = inside_enter(t, *list, m->object, m->interior, m->flags & OBJECT_HOLLOW);
 	return ratio;
 }

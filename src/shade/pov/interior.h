@@ -15,7 +15,6 @@ struct rgb interior_fade(const struct scene *, uint32_t interior, double distanc
 double interior_relative_ior(const struct scene *, const struct tree *, uint32_t list, uint32_t object,
 			     uint32_t interior);
 /* Go through the surface: *list becomes what the ray is then in; the ratio of indices, near to far. */
-double interior_cross(const struct scene *, struct tree *, uint32_t *list, uint32_t object,
-		      uint32_t interior);
+double interior_cross(const struct scene *, struct tree *, uint32_t *list, const struct met *);
 
 #endif

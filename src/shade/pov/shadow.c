@@ -73,7 +73,7 @@ static void cross(const struct shader *sh, struct tree *t, struct shadow *s, con
 		s->colour = rgb_mul(s->colour, interior_fade(sh->scene, at.interior, h->t - from));
 		s->inside = inside_leave(t, s->inside, at.object);
 	} else {
-		s->inside = inside_enter(t, s->inside, at.object, at.interior);
+		s->inside = inside_enter(t, s->inside, at.object, at.interior, at.flags & OBJECT_HOLLOW);
 	}
 }
 

@@ -83,7 +83,7 @@ static void spawn_through(const struct shader *sh, struct tree *t, const struct 
 
 	if (inside_contains(t, before, m->object))
 		p->fade = interior_fade(sh->scene, m->interior, m->t);
-	ratio = interior_cross(sh->scene, t, &s.inside, m->object, m->interior);
+	ratio = interior_cross(sh->scene, t, &s.inside, m);
 	if (fabs(ratio - 1) < SAME) {
 		s.straight = true;
 	} else {

@@ -1,8 +1,8 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * alidade: options -> read -> build -> render -> write. What each step does is in the folder that it is
- * named after; this file only calls them in turn, prints, and exits.
+ * alidade: options -> read -> build -> render -> write, for each frame. What each step does is in the folder
+ * that it is named after; this file only calls them in turn, prints, and exits.
  */
 #include <config.h>
 
@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "accel/load.h"
 #include "accel/trace.h"
@@ -31,6 +32,7 @@
 #include "settings.h"
 
 #define WARNINGS_SHOWN 20 /* unless -v was given */
+#define SAID 256
 
 /* One run of the program. Whatever has been made so far is taken down by run_release(). */
 struct run {
@@ -40,14 +42,42 @@ struct run {
 	struct mem_book book;
 	struct pool *pool;
 	struct accel_choice accel;
-	struct scene scene;
+	struct frame_plan plan;
+	struct read_stdin standard_input;
+	struct scene store[2]; /* this frame's scene, and the one that the geometry was built from */
+	struct scene *scene;
 	struct read_job job;
 	struct geometry *geometry;
+	const struct scene *built; /* what geometry stands for; NULL: there is none */
+	bool reused;
+	uint64_t drawn, skipped, reuses; /* frames */
 	struct image image;
 	struct render_counts counts;
 	double read_seconds, write_seconds;
+	FILE *stats;
+	char scene_name[4096], output[4096]; /* of this frame */
 	char accel_text[1024], options_text[256];
+	uint64_t said[SAID]; /* hashes of warnings: each frame would repeat them */
+	uint32_t said_count;
 };
+
+/* Has this text been shown in an earlier frame? */
+static bool said_before(struct run *run, const char *text)
+{
+	uint64_t h = 14695981039346656037u;
+
+	if (!run->plan.animated)
+		return false;
+	for (const char *c = text; *c; c++)
+		h = (h ^ (unsigned char)*c) * 1099511628211u;
+	for (uint32_t i = 0; i < run->said_count; i++) {
+		if (run->said[i] == h)
+			return true;
+	}
+	if (run->said_count < SAID)
+		run->said[run->said_count++] = h;
+	return false;
+}
 
 static void print_message(void *arg, enum diag_level level, const struct diag_pos *pos, const char *text)
 {
@@ -57,10 +87,14 @@ static void print_message(void *arg, enum diag_level level, const struct diag_po
 
 	if ((int)level > verbosity + 1)
 		return;
+	diag_format(line, sizeof(line), level, pos, text);
+	if (level == DIAG_WARNING && said_before(run, line)) {
+		run->diag.warnings--;
+		return;
+	}
 	if (level == DIAG_WARNING && verbosity < 1 && run->diag.warnings > WARNINGS_SHOWN)
 		return;
 	progress_erase(&run->progress);
-	diag_format(line, sizeof(line), level, pos, text);
 	fprintf(stderr, "alidade: %s\n", line);
 }
 
@@ -84,15 +118,21 @@ static void show_progress(void *arg, uint64_t done, uint64_t total)
 	progress_update(&run->progress, done, total, clock_seconds());
 }
 
+/* The geometry keeps the scene it was built from; the other place is for the new one. */
 static enum status run_read(struct run *run)
 {
 	struct settings *s = &run->settings;
 	double began = clock_seconds();
 	enum status st;
 
+	run->scene = run->built == &run->store[0] ? &run->store[1] : &run->store[0];
+	scene_release(run->scene);
+	scene_init(run->scene, &run->book);
 	s->read.stop = asked_to_stop;
 	progress_begin(&run->progress, "reading", began);
-	st = read_scene(s->scene, &s->read, &run->scene, &run->job, &run->diag);
+	st = read_scene(run->scene_name, &s->read, run->scene, &run->job, &run->diag);
+	if (!run->plan.animated)
+		read_stdin_release(&run->standard_input);
 	run->read_seconds = clock_seconds() - began;
 	progress_end(&run->progress, clock_seconds());
 	if (st)
@@ -105,8 +145,19 @@ static enum status run_build(struct run *run)
 	enum status st;
 
 	progress_begin(&run->progress, "building", clock_seconds());
-	st = geometry_build(&run->geometry, &run->scene, &run->accel, run->pool, &run->book,
+	run->reused = run->geometry && geometry_reuse(run->geometry, run->scene);
+	if (run->reused) {
+		run->reuses++;
+		progress_end(&run->progress, clock_seconds());
+		return STATUS_OK;
+	}
+	geometry_free(run->geometry);
+	run->geometry = NULL;
+	run->built = NULL;
+	st = geometry_build(&run->geometry, run->scene, &run->accel, run->pool, &run->book,
 			    run->settings.stats, &run->diag);
+	if (!st)
+		run->built = run->scene;
 	progress_end(&run->progress, clock_seconds());
 	return st;
 }
@@ -120,7 +171,7 @@ static enum status run_render(struct run *run)
 	options->stop = asked_to_stop;
 	options->arg = run;
 	progress_begin(&run->progress, "rendering", clock_seconds());
-	st = render_scene(&run->scene, run->geometry, options, run->pool, &run->book, &run->image,
+	st = render_scene(run->scene, run->geometry, options, run->pool, &run->book, &run->image,
 			  &run->counts, &run->diag);
 	progress_end(&run->progress, clock_seconds());
 	return st;
@@ -152,7 +203,7 @@ static enum status run_write(struct run *run, bool complete)
 {
 	const struct settings *s = &run->settings;
 	char hash[24], partial[4096];
-	const char *path = s->output;
+	const char *path = run->output;
 	const struct image_note note[] = {
 		{ "Software", PACKAGE_STRING },
 		{ "alidade.scene", hash },
@@ -166,7 +217,7 @@ static enum status run_write(struct run *run, bool complete)
 		partial_name(partial, sizeof(partial), path);
 		path = partial;
 	}
-	snprintf(hash, sizeof(hash), "%016" PRIx64, scene_hash(&run->scene));
+	snprintf(hash, sizeof(hash), "%016" PRIx64, scene_hash(run->scene));
 	if (!s->alpha)
 		drop_alpha(&run->image);
 	st = image_write(&run->image, path, s->bits, note, sizeof(note) / sizeof(*note), &run->diag);
@@ -176,31 +227,62 @@ static enum status run_write(struct run *run, bool complete)
 	return st;
 }
 
+/* JSON is one object, or for an animation an array of one for each frame. */
+static enum status put_stats(struct run *run, const struct stats *stats)
+{
+	const char *path = run->settings.stats_file;
+	bool good;
+
+	if (!run->stats) {
+		run->stats = fopen(path, "w");
+		if (!run->stats)
+			return diag_fail(&run->diag, STATUS_FAILED, NULL, "%s: %s", path, strerror(errno));
+		good = !run->plan.animated || fputs("[\n", run->stats) >= 0;
+	} else {
+		good = fputs(",\n", run->stats) >= 0;
+	}
+	good = good && stats_json(stats, run->stats) && !fflush(run->stats);
+	if (!good)
+		return diag_fail(&run->diag, STATUS_FAILED, NULL, "%s: could not be written: %s", path,
+				 strerror(errno));
+	return STATUS_OK;
+}
+
+/* Ends the array also where an error or a signal ended the animation. */
+static enum status close_stats(struct run *run)
+{
+	bool good = true;
+
+	if (!run->stats)
+		return STATUS_OK;
+	if (run->plan.animated)
+		good = fputs("]\n", run->stats) >= 0;
+	if (fclose(run->stats))
+		good = false;
+	run->stats = NULL;
+	if (good)
+		return STATUS_OK;
+	return diag_fail(&run->diag, STATUS_FAILED, NULL, "%s: could not be written: %s",
+			 run->settings.stats_file, strerror(errno));
+}
+
 static enum status write_stats(struct run *run, bool complete)
 {
 	const struct settings *s = &run->settings;
 	const struct stats stats = {
-		.version = PACKAGE_VERSION, .scene = s->scene, .output = s->output,
+		.version = PACKAGE_VERSION, .scene = run->scene_name, .output = run->output,
 		.options = run->options_text, .accel = run->accel_text,
-		.scene_hash = scene_hash(&run->scene), .threads = pool_threads(run->pool),
+		.scene_hash = scene_hash(run->scene), .threads = pool_threads(run->pool),
 		.width = run->image.width, .height = run->image.height, .geometry = run->geometry,
 		.render = &run->counts, .book = &run->book, .read_seconds = run->read_seconds,
 		.write_seconds = run->write_seconds, .complete = complete,
+		.animated = run->plan.animated, .frame = s->read.frame.number,
+		.clock = s->read.frame.clock, .reused = run->reused,
 	};
-	FILE *out;
-	bool good;
 
-	if (!s->stats_file) {
-		stats_text(&stats, stderr);
-		return STATUS_OK;
-	}
-	out = fopen(s->stats_file, "w");
-	if (!out)
-		return diag_fail(&run->diag, STATUS_FAILED, NULL, "%s: %s", s->stats_file, strerror(errno));
-	good = stats_json(&stats, out);
-	if (fclose(out) || !good)
-		return diag_fail(&run->diag, STATUS_FAILED, NULL, "%s: could not be written: %s",
-				 s->stats_file, strerror(errno));
+	if (s->stats_file)
+		return put_stats(run, &stats);
+	stats_text(&stats, stderr);
 	return STATUS_OK;
 }
 
@@ -244,9 +326,9 @@ static enum status run_dry(struct run *run)
 
 	if (st)
 		return st;
-	require_text(&run->scene, run->geometry, run->accel_text, &run->book, stdout);
+	require_text(run->scene, run->geometry, run->accel_text, &run->book, stdout);
 	if (run->settings.verbosity > 0)
-		scene_dump(&run->scene, SCENE_DUMP_PLACES, stdout);
+		scene_dump(run->scene, SCENE_DUMP_PLACES, stdout);
 	return STATUS_OK;
 }
 
@@ -266,33 +348,139 @@ static enum status run_start(struct run *run)
 	if (st)
 		return st;
 	accel_describe(&run->accel, run->accel_text, sizeof(run->accel_text));
-	if (!s->output || s->dry_run)
+	return STATUS_OK;
+}
+
+static enum status name_frame(struct run *run, char *out, const char *name, bool insert)
+{
+	const struct frame_now *f = &run->settings.read.frame;
+	bool good;
+
+	if (run->plan.animated)
+		good = frames_name(out, sizeof(run->output), name, f->number, run->plan.digits, insert);
+	else
+		good = (size_t)snprintf(out, sizeof(run->output), "%s", name) < sizeof(run->output);
+	return good ? STATUS_OK :
+		      diag_fail(&run->diag, STATUS_USAGE, NULL, "the file name is too long: %s", name);
+}
+
+/* Pictures appear under their names only when they are whole. */
+static bool is_there(const char *path)
+{
+	struct stat st;
+
+	return !stat(path, &st) && st.st_size > 0;
+}
+
+static bool can_skip(const struct run *run)
+{
+	return run->settings.skip_existing && !run->settings.dry_run && is_there(run->output);
+}
+
+/* The scene is read, so that all is known of it that an .ini says: draw it. */
+static enum status run_known(struct run *run)
+{
+	struct settings *s = &run->settings;
+	enum status st;
+
+	if (s->dry_run) {
+		if (run->plan.animated)
+			printf("frame %u, clock %g\n", s->read.frame.number, s->read.frame.clock);
+		return run_dry(run);
+	}
+	st = name_frame(run, run->output, s->output, true);
+	if (!st && !(s->given & GIVEN_OUTPUT))
+		st = image_can_write(run->output, s->bits, &run->diag);
+	if (st)
+		return st;
+	if (can_skip(run)) { /* only now is the name known */
+		run->skipped++;
 		return STATUS_OK;
-	return image_can_write(s->output, s->bits, &run->diag);
+	}
+	settings_describe(s, run->options_text, sizeof(run->options_text));
+	st = run_picture(run);
+	image_release(&run->image);
+	if (!st)
+		run->drawn++;
+	return st;
+}
+
+static enum status run_frame(struct run *run)
+{
+	struct settings *s = &run->settings;
+	enum status st = name_frame(run, run->scene_name, s->scene, false);
+
+	if (!st && s->given & GIVEN_OUTPUT && !s->dry_run) {
+		st = name_frame(run, run->output, s->output, true);
+		if (!st && can_skip(run)) {
+			run->skipped++;
+			return STATUS_OK;
+		}
+		if (!st)
+			st = image_can_write(run->output, s->bits, &run->diag);
+	}
+	if (!st)
+		st = run_read(run);
+	return st ? st : run_known(run);
+}
+
+/* Where an animation stopped, and what there is of it. */
+static void tell_stop(const struct run *run, uint64_t left)
+{
+	fprintf(stderr, "alidade: stopped at frame %u; %" PRIu64 " frame%s drawn%s, %" PRIu64 " not; "
+		"--skip-existing goes on from there\n", run->settings.read.frame.number, run->drawn,
+		run->drawn == 1 ? " was" : "s were", run->skipped ? ", others were there" : "", left);
+}
+
+static enum status run_frames(struct run *run)
+{
+	uint64_t count = frames_count(&run->plan);
+	enum status st = STATUS_OK, worst = STATUS_OK;
+
+	run->settings.read.frame_digits = run->plan.digits;
+	for (uint64_t i = 0; i < count && !st; i++) {
+		frames_now(&run->plan, frames_number(&run->plan, i), &run->settings.read.frame);
+		run->progress.frame = run->settings.read.frame.number;
+		run->progress.index = i + 1;
+		run->progress.count = run->plan.animated ? count : 0;
+		st = interrupt_asked() ? STATUS_SIGINT : run_frame(run);
+		if (st == STATUS_NONFINITE) { /* a picture all the same */
+			run->drawn++;
+			worst = st;
+			st = STATUS_OK;
+		}
+		if (st && run->plan.animated)
+			tell_stop(run, count - i);
+	}
+	return st ? st : worst;
 }
 
 static enum status run_all(struct run *run)
 {
 	struct settings *s = &run->settings;
-	enum status st = run_start(run);
+	enum status st = run_start(run), closed;
+	struct read_job job;
 
-	if (!st)
-		st = run_read(run);
-	if (!st && s->dry_run)
-		return run_dry(run);
-	if (!st && !(s->given & GIVEN_OUTPUT))
-		st = image_can_write(s->output, s->bits, &run->diag);
 	if (st)
 		return st;
-	settings_describe(s, run->options_text, sizeof(run->options_text));
-	return run_picture(run);
+	s->read.standard_input = &run->standard_input;
+	if (s->frame_count && frames_has_place(s->scene))
+		job = (struct read_job){ .set = 0 };
+	else
+		read_job_peek(s->scene, &s->read, &run->book, &job);
+	settings_plan(s, &job, &run->plan);
+	st = run_frames(run);
+	closed = close_stats(run);
+	return st ? st : closed;
 }
 
 static void run_release(struct run *run)
 {
 	image_release(&run->image);
 	geometry_free(run->geometry);
-	scene_release(&run->scene);
+	scene_release(&run->store[0]);
+	scene_release(&run->store[1]);
+	read_stdin_release(&run->standard_input);
 	accel_unload(&run->accel);
 	pool_free(run->pool);
 	settings_release(&run->settings);
@@ -365,7 +553,8 @@ int main(int argc, char **argv)
 
 	run.diag = (struct diag){ print_message, &run, 0, 0 };
 	mem_book_init(&run.book, 0);
-	scene_init(&run.scene, &run.book);
+	scene_init(&run.store[0], &run.book);
+	scene_init(&run.store[1], &run.book);
 	settings_init(&run.settings, &run.book);
 	status = (int)settings_parse(&run.settings, argc, argv, &run.diag);
 	if (!status)

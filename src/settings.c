@@ -12,9 +12,9 @@
 #include "read/limits.h"
 
 enum {
-	KEY_ALPHA = OPTION_LONG_ONLY, KEY_AA, KEY_BITS, KEY_CAMERA_ONLY, KEY_CROP, KEY_DRY_RUN, KEY_LENIENT,
-	KEY_LIMIT, KEY_LIST_ACCELS, KEY_MEMORY, KEY_PRINT_COMPLETION, KEY_PROGRESS, KEY_STATS, KEY_TILE,
-	KEY_VERSION
+	KEY_ALPHA = OPTION_LONG_ONLY, KEY_AA, KEY_BITS, KEY_CAMERA_ONLY, KEY_CLOCK, KEY_CROP, KEY_DRY_RUN,
+	KEY_LENIENT, KEY_LIMIT, KEY_LIST_ACCELS, KEY_MEMORY, KEY_PRINT_COMPLETION, KEY_PROGRESS, KEY_RANGE,
+	KEY_SKIP_EXISTING, KEY_STATS, KEY_TILE, KEY_VERSION
 };
 
 #define AA_WORDS "none 2 3 4 pov1 pov2"
@@ -40,6 +40,18 @@ static const struct option_spec alidade_option[] = {
 	  "bits a channel: 8 or 16 for .png and .ppm, 16 or 32 for .exr", NULL },
 	{ "alpha", KEY_ALPHA, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
 	  "keep the alpha channel: what shows no object is transparent", NULL },
+
+	{ "frames", 'f', OPTION_ARG, "LIST", COMPLETE_NOTHING, NULL,
+	  "draw these frames, as in 1,3..9 or 0..100:10; #### in the scene's or the output's name stands for "
+	  "the number, which otherwise comes before the output's ending",
+	  "Animation" },
+	{ "range", KEY_RANGE, OPTION_ARG, "A..B", COMPLETE_NOTHING, NULL,
+	  "the first and the last frame of the whole animation, with ,clock=X..Y (0..1) and ,cyclic; without "
+	  "-f all of it is drawn",
+	  NULL },
+	{ "clock", KEY_CLOCK, OPTION_ARG, "X", COMPLETE_NOTHING, NULL, "the scene's clock is X", NULL },
+	{ "skip-existing", KEY_SKIP_EXISTING, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
+	  "leave out frames whose picture is there: go on with an animation that was stopped", NULL },
 
 	{ "accel", 'a', OPTION_ARG, "NAME", COMPLETE_ACCEL, NULL,
 	  "the acceleration structure, with its parameters: NAME:key=value,..; octree is the default",
@@ -185,6 +197,58 @@ static enum status set_aa(struct settings *s, const struct option_spec *o, const
 	return STATUS_OK;
 }
 
+static bool set_clocks(struct settings *s, char *value)
+{
+	char *dots = strstr(value, "..");
+
+	if (!dots)
+		return false;
+	*dots = 0;
+	s->frames.set |= FRAMES_INITIAL_CLOCK | FRAMES_FINAL_CLOCK;
+	return option_real(value, -1e30, 1e30, &s->frames.initial_clock) &&
+	       option_real(dots + 2, -1e30, 1e30, &s->frames.final_clock);
+}
+
+static enum status set_range(struct settings *s, const struct option_spec *o, const char *value,
+			     struct diag *d)
+{
+	struct frame_span span[FRAME_SPANS];
+	const char *cursor = value;
+	struct option_pair pair;
+	uint32_t count;
+	bool good = option_next_pair(&cursor, &pair) && !pair.value[0] &&
+		    frames_parse(pair.key, span, &count) && span[0].step == 1;
+
+	if (good) {
+		s->frames.set |= FRAMES_INITIAL | FRAMES_FINAL;
+		s->frames.initial_frame = span[0].first;
+		s->frames.final_frame = span[0].last;
+		s->given |= GIVEN_RANGE;
+	}
+	while (good && option_next_pair(&cursor, &pair)) {
+		if (!strcmp(pair.key, "clock"))
+			good = set_clocks(s, pair.value);
+		else if ((good = !strcmp(pair.key, "cyclic") && !pair.value[0]))
+			s->frames.cyclic = true;
+	}
+	return good ? STATUS_OK : wrong(d, o, value, "FIRST..LAST, and perhaps ,clock=0..1 and ,cyclic");
+}
+
+static enum status set_frames(struct settings *s, const struct option_spec *o, const char *value,
+			      struct diag *d)
+{
+	if (frames_parse(value, s->frame, &s->frame_count))
+		return STATUS_OK;
+	return wrong(d, o, value, "frame numbers and spans FIRST..LAST or FIRST..LAST:STEP, as in 1,3..9");
+}
+
+static enum status set_clock(struct settings *s, const struct option_spec *o, const char *value,
+			     struct diag *d)
+{
+	s->frames.set |= FRAMES_CLOCK;
+	return option_real(value, -1e30, 1e30, &s->frames.clock) ? STATUS_OK : wrong(d, o, value, "a number");
+}
+
 static enum status set_limit(struct settings *s, const struct option_spec *o, const char *value,
 			     struct diag *d)
 {
@@ -317,6 +381,9 @@ static enum status set_flag(struct settings *s, const struct option_spec *o, con
 	case KEY_LENIENT:
 		s->read.lenient = true;
 		break;
+	case KEY_SKIP_EXISTING:
+		s->skip_existing = true;
+		break;
 	case KEY_DRY_RUN:
 		s->dry_run = true;
 		break;
@@ -362,6 +429,12 @@ static enum status set_option(void *arg, const struct option_spec *o, const char
 		return set_aa(s, o, value, d);
 	case KEY_BITS:
 		return set_bits(s, o, value, d);
+	case 'f':
+		return set_frames(s, o, value, d);
+	case KEY_RANGE:
+		return set_range(s, o, value, d);
+	case KEY_CLOCK:
+		return set_clock(s, o, value, d);
 	case 'a':
 		s->accel = value;
 		return STATUS_OK;
@@ -486,11 +559,35 @@ static void take_aa(struct settings *s, const struct read_job *job)
 	r->aa_gamma = job->set & READ_JOB_AA_GAMMA ? job->aa_gamma : 2.5;
 }
 
+void settings_plan(const struct settings *s, const struct read_job *job, struct frame_plan *plan)
+{
+	struct frame_settings f = s->frames;
+	unsigned own = f.set;
+
+	if (!(s->given & GIVEN_RANGE)) {
+		f = job->frames;
+		if (f.set & (FRAMES_INITIAL | FRAMES_FINAL)) /* as POV-Ray, which then forgets Clock */
+			f.set &= ~(unsigned)FRAMES_CLOCK;
+	}
+	if (own & FRAMES_CLOCK) {
+		f.set |= FRAMES_CLOCK;
+		f.clock = s->frames.clock;
+	}
+	frames_plan(plan, &f, s->frame, s->frame_count);
+}
+
 enum status settings_finish(struct settings *s, const struct read_job *job, struct diag *d)
 {
 	struct render_options *r = &s->render;
 	enum status st = STATUS_OK;
 
+	/* What the .ini of an earlier frame said is no more. */
+	if (!(s->given & GIVEN_OUTPUT))
+		s->output = NULL;
+	if (!(s->given & GIVEN_ALPHA))
+		s->alpha = false;
+	if (!(s->given & GIVEN_CROP))
+		r->crop_x = r->crop_y = r->crop_width = r->crop_height = 0;
 	if (!(s->given & GIVEN_SIZE)) {
 		r->width = job->set & READ_JOB_WIDTH ? job->width : READ_WIDTH;
 		r->height = job->set & READ_JOB_HEIGHT ? job->height : READ_HEIGHT;

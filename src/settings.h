@@ -39,13 +39,17 @@ struct settings {
 	enum progress_mode progress;
 	int verbosity; /* -1: errors only, 0: warnings too, 1: notes, 2: everything */
 	bool dry_run;
+	struct frame_settings frames; /* of --range and --clock */
+	struct frame_span frame[FRAME_SPANS]; /* of -f */
+	uint32_t frame_count;
+	bool skip_existing;
 	struct read_options read;
 	struct render_options render; /* width 0 until settings_finish() unless given */
 	unsigned given; /* enum settings_given */
 };
 
 enum settings_given {
-	GIVEN_SIZE = 1, GIVEN_CROP = 2, GIVEN_AA = 4, GIVEN_ALPHA = 8, GIVEN_OUTPUT = 16
+	GIVEN_SIZE = 1, GIVEN_CROP = 2, GIVEN_AA = 4, GIVEN_ALPHA = 8, GIVEN_OUTPUT = 16, GIVEN_RANGE = 32
 };
 
 extern const struct option_program settings_program;
@@ -54,7 +58,9 @@ void settings_init(struct settings *, struct mem_book *);
 void settings_release(struct settings *);
 /* The command line. */
 enum status settings_parse(struct settings *, int argc, char **argv, struct diag *);
-/* Once the scene is read: the command line first, then the .ini file, then the defaults. After it,
+/* Which frames are to be drawn; job: what read_job_peek() found. */
+void settings_plan(const struct settings *, const struct read_job *, struct frame_plan *);
+/* Once the scene of a frame is read: the command line first, then the .ini file, then the defaults. After it,
  * output, size, crop and anti-aliasing are what is to be done. */
 enum status settings_finish(struct settings *, const struct read_job *, struct diag *);
 /* "800x600 crop 0,0,10,10 aa none": all options that decide the picture. */

@@ -9,6 +9,7 @@
 
 #include "accel/geometry.h"
 
+#include <string.h>
 #include <time.h>
 
 #include "accel/load.h"
@@ -142,6 +143,18 @@ enum status geometry_build(struct geometry **out, const struct scene *scene,
 	else
 		*out = g;
 	return st;
+}
+
+bool geometry_reuse(struct geometry *g, const struct scene *scene)
+{
+	if (!g->hash)
+		g->hash = scene_hash_shapes(g->set.scene);
+	if (scene_hash_shapes(scene) != g->hash || !prim_same_frame(&g->set, scene))
+		return false;
+	for (uint32_t t = 0; t < g->threads; t++)
+		memset(g->worker[t]->count, 0, sizeof(g->worker[t]->count));
+	g->seconds = 0;
+	return true;
 }
 
 void geometry_free(struct geometry *g)

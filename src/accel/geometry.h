@@ -44,6 +44,7 @@ struct geometry {
 	uint32_t threads;
 	struct worker **worker; /* [threads] */
 	double seconds;
+	uint64_t hash; /* of the scene's shapes; 0: not known yet */
 };
 
 /* prims->bounds(), intersect() and intersect_n(), of instance.c. */

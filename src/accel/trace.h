@@ -59,6 +59,9 @@ struct geometry_counts {
 enum status geometry_build(struct geometry **out, const struct scene *, const struct accel_choice *,
 			   struct pool *, struct mem_book *, bool count, struct diag *);
 void geometry_free(struct geometry *); /* NULL is harmless */
+/* Has this scene the same shapes in the same places, so that the geometry serves it as it is (its own scene
+ * has to live on)? Then the counters and the time of building begin at 0 again. */
+bool geometry_reuse(struct geometry *, const struct scene *);
 void geometry_get_counts(const struct geometry *, struct geometry_counts *);
 /* Sum over threads of the accelerator's counters, instances' inner ones included. */
 void geometry_get_counters(const struct geometry *, uint64_t count[ALD_COUNT_MAX]);

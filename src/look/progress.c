@@ -78,23 +78,36 @@ static void clock_text(char *out, size_t size, double seconds)
 		snprintf(out, size, "%u:%02u", (unsigned)(s / 60), (unsigned)(s % 60));
 }
 
+/* "frame 12 (3 of 50), rendering" */
+static void phase_text(char *out, size_t size, const struct progress *p)
+{
+	if (p->count)
+		snprintf(out, size, "frame %u (%llu of %llu), %s", p->frame, (unsigned long long)p->index,
+			 (unsigned long long)p->count, p->phase);
+	else
+		snprintf(out, size, "%s", p->phase);
+}
+
 static void show_bar(struct progress *p, uint64_t done, uint64_t total, double now)
 {
 	double left = time_left(p, done, total, now);
-	char text[160], bar[42] = "", time[24] = "";
+	char text[240], bar[42] = "", time[24] = "", phase[120];
 	int room, full;
 
+	phase_text(phase, sizeof(phase), p);
 	if (!total) {
-		fprintf(p->out, "\r%.*s ...", (int)p->columns - 5, p->phase);
+		/* A shorter text than the last frame's leaves nothing of it. */
+		snprintf(text, sizeof(text), "%.*s ...", (int)p->columns - 5, phase);
+		fprintf(p->out, "\r%-*s", p->count ? (int)p->columns - 1 : 0, text);
 	} else {
 		if (left >= 0)
 			clock_text(time, sizeof(time), left);
-		room = (int)p->columns - (int)strlen(p->phase) - 24;
+		room = (int)p->columns - (int)strlen(phase) - 24;
 		room = room > 40 ? 40 : room < 4 ? 4 : room;
 		full = (int)((double)done / (double)total * room);
 		for (int i = 0; i < room; i++)
 			bar[i] = i < full ? '#' : '.';
-		snprintf(text, sizeof(text), "%s [%s] %3u %%  %s%-8s", p->phase, bar,
+		snprintf(text, sizeof(text), "%s [%s] %3u %%  %s%-8s", phase, bar,
 			 (unsigned)(100 * done / total), time, left >= 0 ? " left" : "");
 		fprintf(p->out, "\r%.*s", (int)p->columns - 1, text);
 	}
@@ -106,10 +119,11 @@ static void show_bar(struct progress *p, uint64_t done, uint64_t total, double n
 static void show_line(struct progress *p, uint64_t done, uint64_t total, double now)
 {
 	double left = time_left(p, done, total, now);
-	char time[24];
+	char time[24], phase[120];
 
+	phase_text(phase, sizeof(phase), p);
 	clock_text(time, sizeof(time), left > 0 ? left : 0);
-	fprintf(p->out, "%s: %u %% after %.0f s%s%s%s\n", p->phase, (unsigned)(100 * done / total),
+	fprintf(p->out, "%s: %u %% after %.0f s%s%s%s\n", phase, (unsigned)(100 * done / total),
 		now - p->began, left >= 0 ? ", about " : "", left >= 0 ? time : "",
 		left >= 0 ? " left" : "");
 	fflush(p->out);
@@ -131,6 +145,11 @@ static void show_json(struct progress *p, const char *kind, uint64_t done, uint6
 	json_object(&j, NULL);
 	json_string(&j, "kind", kind);
 	json_string(&j, "phase", p->phase);
+	if (p->count) {
+		json_uint(&j, "frame", p->frame);
+		json_uint(&j, "frame_index", p->index);
+		json_uint(&j, "frame_count", p->count);
+	}
 	if (total) {
 		json_uint(&j, "done", done);
 		json_uint(&j, "total", total);

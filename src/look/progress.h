@@ -17,6 +17,8 @@ struct progress {
 	FILE *out;
 	uint32_t columns; /* of the terminal */
 	const char *phase; /* NULL: between two */
+	uint32_t frame; /* of an animation, */
+	uint64_t index, count; /* the index-th, from 1, of count; 0: a still picture */
 	double began, shown; /* seconds: when the phase began, when last shown */
 	uint32_t tenths; /* of the work, last shown in a line */
 	bool bar; /* one stands on the terminal */

@@ -130,6 +130,9 @@ void stats_text(const struct stats *s, FILE *out)
 {
 	fprintf(out, "alidade %s: %s, %s, %s, %u thread%s%s\n", s->version, s->scene, s->options, s->accel,
 		s->threads, s->threads == 1 ? "" : "s", s->complete ? "" : ", interrupted");
+	if (s->animated)
+		fprintf(out, "frame %u, clock %g, structure %s\n", s->frame, s->clock,
+			s->reused ? "of an earlier frame" : "built");
 	text_rays(s->render, out);
 	text_counters(s, out);
 	text_structure(s, out);
@@ -222,6 +225,11 @@ static void json_head(struct json *j, const struct stats *s)
 	json_string(j, "scene", s->scene);
 	json_string(j, "scene_hash", hash);
 	json_string(j, "output", s->output);
+	if (s->animated) {
+		json_uint(j, "frame", s->frame);
+		json_double(j, "clock", s->clock);
+		json_bool(j, "structure_reused", s->reused);
+	}
 	json_string(j, "options", s->options);
 	json_string(j, "accelerator", s->accel);
 	json_uint(j, "threads", s->threads);

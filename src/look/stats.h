@@ -23,6 +23,10 @@ struct stats {
 	const struct mem_book *book;
 	double read_seconds, write_seconds;
 	bool complete; /* false: interrupted */
+	bool animated;
+	uint32_t frame; /* of an animation, */
+	double clock;
+	bool reused; /* the structure is an earlier frame's: the scene's shapes are the same */
 };
 
 void stats_text(const struct stats *, FILE *out);

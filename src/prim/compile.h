@@ -51,7 +51,7 @@ struct prim_instance {
 struct prim_level {
 	vec shift; /* level = (world or object coordinates - shift) * scale */
 	double scale; /* a power of two */
-	double size, pad; /* extent D0, and 16 u of it (R4) */
+	double size, pad; /* at least the extent D0, and 16 u of it (R4) */
 	ald_box box; /* of the padded boxes */
 	uint32_t count, tri_count, prim_count, instance_count;
 	uint32_t group_count;
@@ -87,6 +87,8 @@ struct prim_set {
 /* All memory is booked under "geometry". On failure *out is released. */
 enum status prim_compile(struct prim_set *out, const struct scene *, struct mem_book *, struct diag *);
 void prim_set_release(struct prim_set *);
+/* Would this scene, of the same shapes but perhaps another camera, be laid out in the same coordinates? */
+bool prim_same_frame(const struct prim_set *, const struct scene *);
 
 /* Shared by compile.c, layout.c and mesh.c. */
 

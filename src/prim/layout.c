@@ -341,21 +341,36 @@ static enum status bake_world(struct prim_set *s, struct prim_level *l, struct d
 	return STATUS_OK;
 }
 
+/* The frame of level 0: of the geometry with the camera, since its rays start there. */
+static void world_frame(struct prim_level *l, const ald_box *world, const struct scene *s)
+{
+	ald_box all = *world;
+
+	if (s->has_camera && vec_finite(s->camera.location))
+		ald_box_join(&all, &(ald_box){ s->camera.location, s->camera.location });
+	prim_level_frame(l, &all);
+}
+
+bool prim_same_frame(const struct prim_set *s, const struct scene *other)
+{
+	const struct prim_level *old = &s->level[0];
+	struct prim_level l;
+
+	world_frame(&l, &s->world, other);
+	return l.scale == old->scale && l.size == old->size && !memcmp(&l.shift, &old->shift, sizeof(vec));
+}
+
 enum status layout_world(struct prim_set *s, struct diag *diag)
 {
 	struct prim_level *l = &s->level[0];
 	struct sums n = { .groups = 0 };
 	bool ok = true;
 	enum status st;
-	ald_box all;
 
 	s->world = ald_box_empty();
 	for (uint32_t i = 0; i < s->leaf_count; i++)
 		leaf_box(s, &s->leaf[i], &s->world);
-	all = s->world;
-	if (s->scene->has_camera && vec_finite(s->scene->camera.location))
-		ald_box_join(&all, &(ald_box){ s->scene->camera.location, s->scene->camera.location });
-	prim_level_frame(l, &all);
+	world_frame(l, &s->world, s->scene);
 	count_world(s, &n);
 	s->unbounded = take(s, n.planes, sizeof(*s->unbounded), &ok);
 	st = ok ? take_level(s, l, &n, true, diag) :

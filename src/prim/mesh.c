@@ -38,7 +38,8 @@ void prim_level_frame(struct prim_level *l, const ald_box *box)
 		frexp(size, &e);
 		l->scale = ldexp(1, 1 - e);
 	}
-	l->size = size > 0 ? size * l->scale : 1;
+	/* Rounded up to where the scale would change, so that a camera that moves a little changes nothing. */
+	l->size = size > 0 ? 2 : 1;
 	l->pad = 16 * ALD_U * l->size;
 }
 

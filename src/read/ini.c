@@ -1,9 +1,9 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * Lines of Option=value; comments begin with ; or #, also behind a value. What follows a [section] is
- * for those who name it to POV-Ray. Options that have no meaning here are ignored, unknown ones are
- * named in a warning, so that a misspelt one is noticed.
+ * Lines of Option=value, or of switches as on POV-Ray's command line; comments begin with ; or #, also
+ * behind a value. What follows a [section] is for those who name it to POV-Ray. Options that have no meaning
+ * here are ignored, unknown ones are named in a warning, so that a misspelt one is noticed.
  */
 #include <config.h>
 
@@ -59,7 +59,7 @@ bool ini_recognise(const char *bytes, size_t size)
 			return false;
 		at = newline + 1;
 	}
-	if (*at == '[')
+	if (*at == '[' || *at == '+' || *at == '-')
 		return true;
 	if (!is_name(*at))
 		return false;
@@ -158,7 +158,9 @@ static void declare(struct reader *r, const char *value)
 }
 
 enum option { IGNORED, INPUT, OUTPUT, WIDTH, HEIGHT, AA, AA_DEPTH, AA_THRESHOLD, AA_METHOD, AA_GAMMA,
-	      START_ROW, END_ROW, START_COLUMN, END_COLUMN, ALPHA, DECLARE, LIBRARY };
+	      START_ROW, END_ROW, START_COLUMN, END_COLUMN, ALPHA, DECLARE, LIBRARY, INITIAL_FRAME,
+	      FINAL_FRAME, INITIAL_CLOCK, FINAL_CLOCK, SUBSET_START, SUBSET_END, FRAME_STEP, CLOCK, CYCLIC,
+	      FIELDS };
 
 /* Those that are ignored concern POV-Ray's own output, speed or window. */
 static const struct {
@@ -169,26 +171,101 @@ static const struct {
 	{ "Antialias_Depth", AA_DEPTH }, { "Antialias_Gamma", AA_GAMMA },
 	{ "Antialias_Threshold", AA_THRESHOLD }, { "Bits_Per_Color", IGNORED },
 	{ "Bounding", IGNORED }, { "Bounding_Method", IGNORED }, { "Bounding_Threshold", IGNORED },
-	{ "Compression", IGNORED }, { "Continue_Trace", IGNORED }, { "Create_Ini", IGNORED },
+	{ "Clock", CLOCK }, { "Compression", IGNORED }, { "Continue_Trace", IGNORED }, { "Create_Ini", IGNORED },
+	{ "Cyclic_Animation", CYCLIC },
 	{ "Debug_Console", IGNORED }, { "Debug_File", IGNORED }, { "Declare", DECLARE },
 	{ "Display", IGNORED }, { "Display_Gamma", IGNORED }, { "Dither", IGNORED },
 	{ "Dither_Method", IGNORED }, { "End_Column", END_COLUMN }, { "End_Row", END_ROW },
-	{ "Fatal_Console", IGNORED }, { "Fatal_File", IGNORED }, { "File_Gamma", IGNORED },
-	{ "Grayscale_Output", IGNORED }, { "Height", HEIGHT }, { "Input_File_Name", INPUT },
+	{ "Fatal_Console", IGNORED }, { "Fatal_File", IGNORED }, { "Field_Render", FIELDS },
+	{ "File_Gamma", IGNORED }, { "Final_Clock", FINAL_CLOCK }, { "Final_Frame", FINAL_FRAME },
+	{ "Frame_Step", FRAME_STEP },
+	{ "Grayscale_Output", IGNORED }, { "Height", HEIGHT }, { "Initial_Clock", INITIAL_CLOCK },
+	{ "Initial_Frame", INITIAL_FRAME }, { "Input_File_Name", INPUT },
 	{ "Jitter", IGNORED }, { "Jitter_Amount", IGNORED }, { "Library_Path", LIBRARY },
 	{ "Light_Buffer", IGNORED }, { "Max_Image_Buffer_Memory", IGNORED },
-	{ "Output_Alpha", ALPHA }, { "Output_File_Name", OUTPUT }, { "Output_File_Type", IGNORED },
+	{ "Odd_Field", IGNORED }, { "Output_Alpha", ALPHA }, { "Output_File_Name", OUTPUT },
+	{ "Output_File_Type", IGNORED },
 	{ "Output_To_File", IGNORED }, { "Palette", IGNORED }, { "Pause_When_Done", IGNORED },
 	{ "Preview_End_Size", IGNORED }, { "Preview_Start_Size", IGNORED }, { "Quality", IGNORED },
 	{ "Remove_Bounds", IGNORED }, { "Render_Block_Size", IGNORED }, { "Render_Console", IGNORED },
 	{ "Render_File", IGNORED }, { "Render_Pattern", IGNORED }, { "Sampling_Method", AA_METHOD },
 	{ "Split_Unions", IGNORED }, { "Start_Column", START_COLUMN }, { "Start_Row", START_ROW },
-	{ "Statistic_Console", IGNORED }, { "Statistic_File", IGNORED }, { "Test_Abort", IGNORED },
+	{ "Statistic_Console", IGNORED }, { "Statistic_File", IGNORED },
+	{ "Subset_End_Frame", SUBSET_END }, { "Subset_Start_Frame", SUBSET_START }, { "Test_Abort", IGNORED },
 	{ "Test_Abort_Count", IGNORED }, { "Verbose", IGNORED }, { "Version", IGNORED },
 	{ "Video_Mode", IGNORED }, { "Vista_Buffer", IGNORED }, { "Warning_Console", IGNORED },
 	{ "Warning_File", IGNORED }, { "Warning_Level", IGNORED }, { "Width", WIDTH },
 	{ "Work_Threads", IGNORED },
 };
+
+static bool frame_number(struct reader *r, const char *name, const char *value, uint32_t *out)
+{
+	double v;
+
+	if (!number(r, name, value, &v))
+		return false;
+	if (v <= FRAME_MAX && v == floor(v)) {
+		*out = v > 0 ? (uint32_t)v : 0; /* as POV-Ray */
+		return true;
+	}
+	r->status = diag_fail(r->diag, STATUS_SCENE, &r->pos, "%s=%s: it must be a whole number up to %u",
+			      name, value, FRAME_MAX);
+	return false;
+}
+
+/* Half pictures for interlaced television: POV-Ray 3.7 has the option and draws whole ones. */
+static bool field_render(struct reader *r, const char *name, const char *value)
+{
+	bool on = false;
+
+	if (boolean(r, name, value, &on) && on)
+		r->status = diag_fail(r->diag, STATUS_SCENE, &r->pos,
+				      "%s is not supported: whole frames are drawn; leave it out", name);
+	return !r->status;
+}
+
+static void apply_frames(struct reader *r, enum option option, const char *name, const char *value)
+{
+	struct frame_settings *f = &r->ini->job->frames;
+
+	switch (option) {
+	case INITIAL_FRAME:
+		f->set |= FRAMES_INITIAL;
+		frame_number(r, name, value, &f->initial_frame);
+		break;
+	case FINAL_FRAME:
+		f->set |= FRAMES_FINAL;
+		frame_number(r, name, value, &f->final_frame);
+		break;
+	case FRAME_STEP:
+		f->set |= FRAMES_STEP;
+		count(r, name, value, FRAME_MAX, &f->step);
+		break;
+	case INITIAL_CLOCK:
+		f->set |= FRAMES_INITIAL_CLOCK;
+		number(r, name, value, &f->initial_clock);
+		break;
+	case FINAL_CLOCK:
+		f->set |= FRAMES_FINAL_CLOCK;
+		number(r, name, value, &f->final_clock);
+		break;
+	case SUBSET_START:
+		f->set |= FRAMES_SUBSET_START;
+		number(r, name, value, &f->subset_start);
+		break;
+	case SUBSET_END:
+		f->set |= FRAMES_SUBSET_END;
+		number(r, name, value, &f->subset_end);
+		break;
+	case CLOCK:
+		/* Taken for a still picture only, as in POV-Ray: frames_plan() is told so by the caller. */
+		f->set |= FRAMES_CLOCK;
+		number(r, name, value, &f->clock);
+		break;
+	case CYCLIC: boolean(r, name, value, &f->cyclic); break;
+	default: field_render(r, name, value); break;
+	}
+}
 
 static void apply(struct reader *r, enum option option, const char *name, char *value)
 {
@@ -221,6 +298,7 @@ static void apply(struct reader *r, enum option option, const char *name, char *
 	case START_COLUMN: ok = number(r, name, value, &j->start_column); break;
 	case END_COLUMN: ok = number(r, name, value, &j->end_column); break;
 	case ALPHA: ok = boolean(r, name, value, &j->alpha); break;
+	default: apply_frames(r, option, name, value); return;
 	}
 	static const unsigned bit[] = {
 		[WIDTH] = READ_JOB_WIDTH, [HEIGHT] = READ_JOB_HEIGHT, [AA] = READ_JOB_AA,
@@ -256,6 +334,66 @@ static void trim(const char **from, const char **to)
 	*to = end;
 }
 
+/* Of POV-Ray's command line: those that change the picture. A longer name stands before a shorter one
+ * that begins it. boolean: + is on and - is off, and what follows is a value of its own. */
+static const struct {
+	const char *name;
+	enum option option;
+	bool boolean;
+} switch_table[] = {
+	{ "KFI", INITIAL_FRAME, false }, { "KFF", FINAL_FRAME, false }, { "KI", INITIAL_CLOCK, false },
+	{ "KF", FINAL_CLOCK, false }, { "KC", CYCLIC, true }, { "K", CLOCK, false },
+	{ "SF", SUBSET_START, false }, { "EF", SUBSET_END, false }, { "UF", FIELDS, true },
+	{ "UO", IGNORED, true }, { "UA", ALPHA, true }, { "SR", START_ROW, false },
+	{ "ER", END_ROW, false }, { "SC", START_COLUMN, false }, { "EC", END_COLUMN, false },
+	{ "W", WIDTH, false }, { "H", HEIGHT, false }, { "I", INPUT, false }, { "O", OUTPUT, false },
+	{ "L", LIBRARY, false }, { "AM", AA_METHOD, false }, { "AG", AA_GAMMA, false },
+	{ "R", AA_DEPTH, false }, { "A", AA, true },
+};
+
+/* One switch with its sign; at its end there is a 0. */
+static void take_switch(struct reader *r, char *text)
+{
+	char sign[] = "on", *value;
+
+	if (*text == '-')
+		memcpy(sign, "no", sizeof(sign));
+	for (size_t i = 0; i < sizeof(switch_table) / sizeof(switch_table[0]); i++) {
+		size_t length = strlen(switch_table[i].name);
+
+		if (strncasecmp(text + 1, switch_table[i].name, length))
+			continue;
+		value = text + 1 + length;
+		apply(r, switch_table[i].option, switch_table[i].name,
+		      switch_table[i].boolean ? sign : value);
+		if (switch_table[i].option == AA && *value && !r->status)
+			apply(r, AA_THRESHOLD, "A", value);
+		return;
+	}
+	diag_report(r->diag, DIAG_WARNING, &r->pos, "the switch %s is ignored", text);
+}
+
+static void switches(struct reader *r, const char *at, const char *end)
+{
+	const char *from, *to;
+	char *text;
+
+	for (at = skip_blank(at, end); at < end && *at != ';' && !r->status; at = skip_blank(to, end)) {
+		for (from = to = at; to < end && !memchr(" \t\r;", *to, 4); to++)
+			;
+		text = keep(r, (size_t)(to - from) + 1);
+		if (!text)
+			return;
+		memcpy(text, from, (size_t)(to - from));
+		if (*text != '+' && *text != '-') {
+			r->status = diag_fail(r->diag, STATUS_SCENE, &r->pos,
+					      "\"%s\": expected another switch with its + or -", text);
+			return;
+		}
+		take_switch(r, text);
+	}
+}
+
 /* One line, without its newline. */
 static void line(struct reader *r, const char *at, const char *end)
 {
@@ -266,6 +404,10 @@ static void line(struct reader *r, const char *at, const char *end)
 		r->section = true;
 	if (at == end || *at == ';' || *at == '#' || r->section)
 		return;
+	if (*at == '+' || *at == '-') {
+		switches(r, at, end);
+		return;
+	}
 	while (at < end && is_name(*at))
 		at++;
 	if (at == name || (size_t)(at - name) >= sizeof(option) || skip_blank(at, end) == end ||
@@ -294,11 +436,12 @@ static bool prepare(struct reader *r, const char *path, const char *bytes, size_
 		    const struct read_options *o)
 {
 	const char *slash = strrchr(path, '/');
-	uint32_t lines = 1;
+	size_t lines = 1;
 	char *folder = keep(r, slash ? (size_t)(slash - path) + 2 : 1);
 
-	for (const char *p = bytes; (p = memchr(p, '\n', (size_t)(bytes + size - p))); p++)
-		lines++;
+	/* Or for more: a line may have several +L. */
+	for (const char *p = bytes; p < bytes + size; p++)
+		lines += *p == '\n' || *p == '+' || *p == '-';
 	r->define = keep(r, (lines + o->define_count) * sizeof(*r->define));
 	r->library = keep(r, (lines + o->include_dir_count) * sizeof(*r->library));
 	if (r->status)

@@ -1,4 +1,5 @@
 src_libalidade_la_SOURCES += \
+	src/read/frames.c src/read/frames.h \
 	src/read/ini.c src/read/ini.h \
 	src/read/limits.c src/read/limits.h \
 	src/read/read.c src/read/read.h \

@@ -21,11 +21,13 @@ struct text {
 	const char *name; /* for messages */
 	char *bytes;
 	size_t size;
-	bool mapped;
+	bool mapped, kept; /* kept: somebody else's */
 };
 
 static void text_release(struct text *t)
 {
+	if (t->kept)
+		return;
 	if (t->mapped)
 		munmap(t->bytes, t->size);
 	else
@@ -60,8 +62,33 @@ static enum status slurp(int fd, struct text *t, struct mem_book *book, struct d
 	return diag_no_memory(diag, "the scene file", room);
 }
 
-static enum status text_load(const char *path, struct text *t, struct mem_book *book,
-			     struct diag *diag)
+static enum status standard_input(struct text *t, struct read_stdin *keep, struct mem_book *book,
+				  struct diag *diag)
+{
+	enum status st = STATUS_OK;
+
+	if (!keep)
+		return slurp(STDIN_FILENO, t, book, diag);
+	if (keep->bytes) {
+		t->bytes = keep->bytes;
+		t->size = keep->size;
+	} else {
+		st = slurp(STDIN_FILENO, t, book, diag);
+		keep->bytes = t->bytes;
+		keep->size = t->size;
+	}
+	t->kept = true;
+	return st;
+}
+
+void read_stdin_release(struct read_stdin *s)
+{
+	mem_free(s->bytes);
+	s->bytes = NULL;
+}
+
+static enum status text_load(const char *path, struct text *t, struct read_stdin *keep,
+			     struct mem_book *book, struct diag *diag)
 {
 	struct diag_pos pos = { t->name, 0, 0 };
 	enum status st = STATUS_OK;
@@ -69,10 +96,11 @@ static enum status text_load(const char *path, struct text *t, struct mem_book *
 	int fd;
 
 	if (!strcmp(path, "-"))
-		return slurp(STDIN_FILENO, t, book, diag);
+		return standard_input(t, keep, book, diag);
 	fd = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY);
 	if (fd < 0 || fstat(fd, &info)) {
-		st = diag_fail(diag, STATUS_SCENE, &pos, "the scene cannot be opened: %s", strerror(errno));
+		st = diag_fail(diag, STATUS_SCENE, &pos, "the scene cannot be opened: %s%s", strerror(errno),
+			       frames_has_place(path) ? "; -f says which frames #### stands for" : "");
 	} else if (S_ISDIR(info.st_mode)) {
 		st = diag_fail(diag, STATUS_SCENE, &pos, "is a folder, not a scene file");
 	} else if (!S_ISREG(info.st_mode)) {
@@ -130,6 +158,17 @@ static void default_camera(struct scene *scene)
 static enum status read_path(const char *path, const struct read_options *, struct scene *,
 			     struct read_job *, struct diag *);
 
+static enum status read_numbered(const char *pattern, const struct read_options *o, struct scene *scene,
+				 struct diag *diag)
+{
+	size_t size = strlen(pattern) + 16;
+	char *path = arena_alloc(&scene->arena, size);
+
+	if (!path || !frames_name(path, size, pattern, o->frame.number, o->frame_digits, false))
+		return diag_no_memory(diag, "the scene's name", size);
+	return read_path(path, o, scene, NULL, diag);
+}
+
 /* The scene that an .ini names, with its sizes and declarations. */
 static enum status read_ini(const char *path, const struct text *t, const struct read_options *options,
 			    struct scene *scene, struct read_job *job, struct diag *diag)
@@ -151,6 +190,8 @@ static enum status read_ini(const char *path, const struct text *t, const struct
 	o.define_count = ini.define_count;
 	o.include_dirs = ini.folder;
 	o.include_dir_count = ini.folder_count;
+	if (o.frame_digits && frames_has_place(ini.input))
+		return read_numbered(ini.input, &o, scene, diag);
 	/* Its name stands in the scene's arena. */
 	return read_path(ini.input, &o, scene, NULL, diag);
 }
@@ -159,7 +200,7 @@ static enum status read_path(const char *path, const struct read_options *option
 			     struct read_job *job, struct diag *diag)
 {
 	struct text t = { .name = strcmp(path, "-") ? path : "standard input" };
-	enum status st = text_load(path, &t, scene->book, diag);
+	enum status st = text_load(path, &t, options->standard_input, scene->book, diag);
 
 	if (!st)
 		st = refuse(&t, diag);
@@ -194,4 +235,24 @@ enum status read_scene(const char *path, const struct read_options *options, str
 	if (!st && !scene->has_camera)
 		default_camera(scene);
 	return st;
+}
+
+void read_job_peek(const char *path, const struct read_options *options, struct mem_book *book,
+		   struct read_job *job)
+{
+	struct text t = { .name = path };
+	struct diag silent = { .sink = NULL };
+	struct ini ini = { .job = job };
+	struct scene scratch;
+
+	*job = (struct read_job){ .set = 0 };
+	if (!strcmp(path, "-") && !options->standard_input)
+		return;
+	scene_init(&scratch, book);
+	if (!text_load(path, &t, options->standard_input, book, &silent) && !refuse(&t, &silent) &&
+	    ini_recognise(t.bytes, t.size))
+		ini_read(&ini, path, t.bytes, t.size, options, &scratch, &silent);
+	text_release(&t);
+	scene_release(&scratch);
+	job->output = NULL;
 }

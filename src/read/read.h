@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include "base/diag.h"
+#include "read/frames.h"
 #include "scene/scene.h"
 
 /* Limits on what a scene may ask of the reader; 0 means the default, see limits.h. */
@@ -52,6 +53,7 @@ struct read_job {
 	double aa_threshold, aa_gamma;
 	/* As written: 1-based pixel numbers, or fractions of the picture if below 1 (POV-Ray 3.2.8.3.3). */
 	double start_row, end_row, start_column, end_column;
+	struct frame_settings frames;
 };
 
 struct read_options {
@@ -62,6 +64,9 @@ struct read_options {
 	const struct read_define *defines;
 	uint32_t define_count;
 	uint32_t width, height; /* image_width, image_height; 0: not yet known (the .ini may say) */
+	struct frame_now frame; /* all 0: no animation */
+	uint32_t frame_digits; /* of the number in the name of a scene that an .ini names by #### */
+	struct read_stdin *standard_input; /* NULL: nobody will want it again */
 	struct read_limits limits;
 	bool quiet_debug; /* do not pass on #debug output */
 	/* Asked now and then; true: stop with STATUS_SIGINT. May be NULL. */
@@ -69,6 +74,16 @@ struct read_options {
 	void *stop_arg;
 };
 
+/* Standard input can be read once only: its text is kept here from frame to frame. */
+struct read_stdin {
+	char *bytes; /* NULL: not read yet; by mem_alloc */
+	size_t size;
+};
+void read_stdin_release(struct read_stdin *);
+
+/* What an .ini says, without reading the scene that it names; a file that is none says nothing. Text is
+ * left out. Reports nothing: read_scene() will. */
+void read_job_peek(const char *path, const struct read_options *, struct mem_book *, struct read_job *);
 /* Read the scene (or, for an .ini, the job and the scene it names) from path; "-" is standard input.
  * job may be NULL. Problems go to diag; the first error ends reading and its status is returned; the
  * scene can be released whatever happens. */

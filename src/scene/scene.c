@@ -148,6 +148,7 @@ static uint64_t hash_bytes(uint64_t h, const void *p, size_t n)
 	return h;
 }
 
+#define HASH_START 14695981039346656037u
 #define HASH(h, x) hash_bytes(h, &(x), sizeof(x))
 
 static uint64_t hash_words(uint64_t h, const void *p, size_t n)
@@ -224,9 +225,29 @@ static uint64_t hash_layer(uint64_t h, const struct layer *l)
 	return HASH(h, l->finish.conserve_energy);
 }
 
+static uint64_t hash_shapes(uint64_t h, const struct scene *s)
+{
+	for (uint32_t i = 0; i < s->mesh_count; i++)
+		h = hash_mesh(h, &s->mesh[i]);
+	for (uint32_t i = 0; i < s->object_count; i++)
+		h = hash_object(h, &s->object[i]);
+	return h;
+}
+
+uint64_t scene_hash_shapes(const struct scene *s)
+{
+	uint64_t h = HASH_START;
+
+	/* Of textures, what a ray's kind may pass is all that matters to shapes. */
+	for (uint32_t i = 0; i < s->texture_count; i++)
+		h = HASH(h, (char){ texture_translucent(&s->texture[i]) });
+	h = HASH(h, s->first_root);
+	return hash_shapes(h, s);
+}
+
 uint64_t scene_hash(const struct scene *s)
 {
-	uint64_t h = 14695981039346656037u;
+	uint64_t h = HASH_START;
 
 	h = HASH(h, s->version);
 	h = HASH(h, s->assumed_gamma);
@@ -253,9 +274,5 @@ uint64_t scene_hash(const struct scene *s)
 	}
 	for (uint32_t i = 0; i < s->interior_count; i++)
 		h = HASH(h, s->interior[i]);
-	for (uint32_t i = 0; i < s->mesh_count; i++)
-		h = hash_mesh(h, &s->mesh[i]);
-	for (uint32_t i = 0; i < s->object_count; i++)
-		h = hash_object(h, &s->object[i]);
-	return h;
+	return hash_shapes(h, s);
 }

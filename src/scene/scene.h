@@ -207,5 +207,8 @@ void scene_add_root(struct scene *, uint32_t o);
 
 /* 64 bits over everything that decides the picture (not names and places). */
 uint64_t scene_hash(const struct scene *);
+/* The same over what is where: objects, meshes, and which textures light can pass. What geometry_build()
+ * takes from a scene must be in it, or an animation shows an earlier frame's. */
+uint64_t scene_hash_shapes(const struct scene *);
 
 #endif

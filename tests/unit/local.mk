@@ -22,8 +22,11 @@ TESTS += tests/unit/test_diff tests/unit/test_image_files tests/unit/test_image_
 endif
 
 if HAVE_CMOCKA
-check_PROGRAMS += tests/unit/test_options tests/unit/test_progress tests/unit/test_settings \
-	tests/unit/test_stats
+check_PROGRAMS += tests/unit/test_frames tests/unit/test_options tests/unit/test_progress \
+	tests/unit/test_settings tests/unit/test_stats
+tests_unit_test_frames_SOURCES = tests/unit/test_frames.c
+tests_unit_test_frames_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_frames_LDADD = $(UNIT_LIBS)
 tests_unit_test_options_SOURCES = tests/unit/test_options.c
 tests_unit_test_options_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_options_LDADD = $(UNIT_LIBS)
@@ -36,7 +39,7 @@ tests_unit_test_settings_LDADD = $(UNIT_LIBS)
 tests_unit_test_stats_SOURCES = tests/unit/test_stats.c
 tests_unit_test_stats_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_stats_LDADD = $(UNIT_LIBS)
-TESTS += tests/unit/test_options tests/unit/test_progress tests/unit/test_settings \
+TESTS += tests/unit/test_frames tests/unit/test_options tests/unit/test_progress tests/unit/test_settings \
 	tests/unit/test_stats
 endif
 if HAVE_CMOCKA

@@ -309,6 +309,19 @@ static double arithmetic(struct pov *p, enum pov_token_kind kind, const struct d
 	}
 }
 
+/* The frames that are drawn are taken for the whole animation where nobody says how long that is; a scene
+ * that asks is drawn all the same, but its author should know. */
+static double clock_value(struct pov *p, const struct diag_pos *pos)
+{
+	if (p->options->frame.guessed && !p->clock_warned) {
+		p->clock_warned = true;
+		pov_warn(p, pos, "clock runs from 0 to 1 over the frames %u to %u that were asked for; if they "
+			 "are part of an animation, --range=FIRST..LAST says how long that is",
+			 p->options->frame.initial, p->options->frame.final);
+	}
+	return p->options->frame.clock;
+}
+
 double func_float(struct pov *p)
 {
 	enum pov_token_kind kind = pov_token(p);
@@ -317,7 +330,8 @@ double func_float(struct pov *p)
 
 	pov_next(p);
 	switch (kind) {
-	case TOK_CLOCK: case TOK_CLOCK_ON: return 0;
+	case TOK_CLOCK: return clock_value(p, &pos);
+	case TOK_CLOCK_ON: return p->options->frame.clock_on;
 	case TOK_PI: return PI;
 	case TOK_TRUE: case TOK_YES: case TOK_ON: return 1;
 	case TOK_FALSE: case TOK_NO: case TOK_OFF: return 0;

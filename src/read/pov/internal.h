@@ -179,6 +179,7 @@ struct pov {
 	struct buf warned; /* of struct warned */
 	struct buf debug; /* of char: a line of #debug that is not yet complete */
 	int version;
+	bool clock_warned;
 	struct pov_state *items; /* what items.c remembers */
 };
 

@@ -308,16 +308,20 @@ static bool predeclare_option(struct pov *p, const struct read_define *d)
 	return predeclare_number(p, d->name, value);
 }
 
-/* What POV-Ray knows before the first line (manual 3.3.1.5.1). There is no animation, so all of that is 0. */
+/* What POV-Ray knows before the first line (manual 3.3.1.5.1); without an animation all of that is 0. */
 bool predeclare(struct pov *p)
 {
 	const struct read_options *o = p->options;
+	const struct frame_now *f = &o->frame;
 
 	if (!predeclare_number(p, "image_width", o->width ? o->width : READ_WIDTH) ||
 	    !predeclare_number(p, "image_height", o->height ? o->height : READ_HEIGHT) ||
-	    !predeclare_number(p, "frame_number", 0) || !predeclare_number(p, "initial_frame", 0) ||
-	    !predeclare_number(p, "final_frame", 0) || !predeclare_number(p, "initial_clock", 0) ||
-	    !predeclare_number(p, "final_clock", 0) || !predeclare_number(p, "clock_delta", 0) ||
+	    !predeclare_number(p, "frame_number", f->number) ||
+	    !predeclare_number(p, "initial_frame", f->initial) ||
+	    !predeclare_number(p, "final_frame", f->final) ||
+	    !predeclare_number(p, "initial_clock", f->initial_clock) ||
+	    !predeclare_number(p, "final_clock", f->final_clock) ||
+	    !predeclare_number(p, "clock_delta", f->clock_delta) ||
 	    !predeclare_string(p, "input_file_name", p->source->file, strlen(p->source->file)))
 		return false;
 	for (uint32_t i = 0; i < o->define_count; i++) {

@@ -96,6 +96,7 @@ static void follow_batch(struct worker *w, uint32_t first, uint32_t n, uint32_t 
 		bool met = hit[i].prim != ALD_NONE;
 
 		count_rays(w, node, met);
+		node->length = met ? hit[i].t : HUGE_VAL;
 		if (!met)
 			shade_sky(w->shader, node);
 		else if (w->options->camera_only)
@@ -107,6 +108,8 @@ static void follow_batch(struct worker *w, uint32_t first, uint32_t n, uint32_t 
 		shade_light(w->shader, t, w->thread, &counts);
 	if (t->met.count && !t->no_memory)
 		shade_spawn(w->shader, t);
+	if (w->shader->media && !w->options->camera_only && !t->no_memory)
+		shade_media(w->shader, t, w->thread, first, n, &counts);
 	w->counts.cast[RENDER_SHADOW] += counts.shadow_cast;
 	w->counts.hit[RENDER_SHADOW] += counts.shadow_hit;
 }

@@ -18,6 +18,7 @@
 #include "base/diag.h"
 #include "base/mem.h"
 #include "base/vec.h"
+#include "scene/media.h"
 #include "scene/texture.h"
 
 #define SCENE_NONE UINT32_MAX /* no texture, no interior, no object */
@@ -54,6 +55,7 @@ enum light_kind { LIGHT_POINT, LIGHT_SPOT, LIGHT_CYLINDER };
 
 struct light {
 	enum light_kind kind;
+	bool no_media; /* media_interaction off */
 	bool parallel; /* rays along -direction from a plane through location */
 	bool shadowless;
 	bool area; /* area_light: size1 x size2 points spread along axis1 and axis2 */
@@ -77,6 +79,8 @@ struct interior {
 	double caustics; /* 0: none */
 	double fade_distance, fade_power; /* no fading unless fade_power > 0 */
 	struct rgb fade_colour;
+	uint32_t media_count; /* of hollow objects; 0: empty */
+	struct media *media; /* in the arena */
 };
 
 /* Positions in double as read; normals in float as POV-Ray keeps them. */
@@ -174,6 +178,8 @@ struct scene {
 	bool radiosity; /* a radiosity block was given */
 	struct camera camera;
 	bool has_camera;
+	uint32_t media_count; /* that fill the world, outside of what is not hollow */
+	struct media *media; /* in the arena */
 
 	uint32_t light_count, light_room;
 	struct light *light;

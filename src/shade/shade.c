@@ -11,6 +11,9 @@ void shader_init(struct shader *sh, const struct scene *s, const struct geometry
 	for (uint32_t i = 0; i < s->texture_count && !sh->translucent; i++)
 		sh->translucent = texture_translucent(&s->texture[i]);
 	sh->clear_shadows = sh->translucent && s->light_count > 0;
+	sh->media = s->media_count > 0;
+	for (uint32_t i = 0; i < s->interior_count && !sh->media; i++)
+		sh->media = s->interior[i].media_count > 0;
 }
 
 bool shade_worth(const struct shader *sh, uint32_t level, double weight)

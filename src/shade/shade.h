@@ -17,6 +17,7 @@ struct shader {
 	/* What this scene requires: */
 	bool translucent; /* some texture lets light through: interiors are followed */
 	bool clear_shadows; /* and shadow rays are filtered */
+	bool media; /* something fills solids or the world */
 };
 
 /* Rays cast for shading, for the reports. */
@@ -35,6 +36,9 @@ void shade_sky(const struct shader *, struct node *);
 void shade_hit(const struct shader *, struct tree *, uint32_t node, const ald_ray *, const ald_hit *);
 /* Light at all hits met in this wave, shadows traced; the parts' own light is complete then. */
 void shade_light(const struct shader *, struct tree *, uint32_t thread, struct shade_counts *);
+/* Media between origin and end of nodes first .. first + n - 1, as veils. */
+void shade_media(const struct shader *, struct tree *, uint32_t thread, uint32_t first, uint32_t n,
+		 struct shade_counts *);
 /* The nodes that these hits ask for. */
 void shade_spawn(const struct shader *, struct tree *);
 

@@ -5,6 +5,8 @@
 
 #include <string.h>
 
+#include "shade/pov/media.h"
+
 void tree_init(struct tree *t, struct mem_book *book)
 {
 	memset(t, 0, sizeof(*t));
@@ -23,6 +25,7 @@ void tree_init(struct tree *t, struct mem_book *book)
 	t->ray.size = sizeof(ald_ray);
 	t->hit.size = sizeof(ald_hit);
 	t->hidden.size = sizeof(uint8_t);
+	media_sizes(t);
 }
 
 void tree_reset_wave(struct tree *t)
@@ -40,7 +43,9 @@ void tree_reset(struct tree *t)
 void tree_release(struct tree *t)
 {
 	struct buf *all[] = { &t->node, &t->part,  &t->mirror, &t->inside, &t->veil, &t->met, &t->layer, &t->lit,
-			      &t->shadow, &t->cell, &t->asked, &t->ray,	   &t->hit, &t->hidden };
+			      &t->shadow, &t->cell, &t->asked, &t->ray,	   &t->hit, &t->hidden,
+			      &t->media.segment, &t->media.span, &t->media.reach, &t->media.sample,
+			      &t->media.slot };
 
 	for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); i++)
 		buf_release(all[i]);

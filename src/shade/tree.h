@@ -24,6 +24,7 @@ struct node {
 	vec org, dir; /* dir is unit */
 	double weight; /* share of the pixel that it can still be, for adc_bailout */
 	uint64_t key; /* what its random numbers are made of */
+	double length; /* of its way to what it hit, or infinite; known once it is traced */
 	uint32_t level; /* mirrors and refractions before it */
 	uint32_t inside; /* what it is inside of, an index of tree.inside, or TREE_NONE */
 	uint32_t skip; /* the planar primitive it starts on */
@@ -119,6 +120,9 @@ struct tree {
 	struct buf node, part, mirror, inside, veil; /* until folded */
 	struct buf met, layer, lit, shadow, cell, asked; /* of the current wave */
 	struct buf ray, hit, hidden; /* of the current call to trace */
+	struct {
+		struct buf segment, span, reach, sample, slot;
+	} media; /* see pov/media.c */
 };
 
 void tree_init(struct tree *, struct mem_book *);

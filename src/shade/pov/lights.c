@@ -12,6 +12,7 @@
 #include "base/rng.h"
 #include "shade/light.h"
 #include "shade/pov/finish.h"
+#include "shade/pov/lights.h"
 #include "shade/pov/shadow.h"
 #include "shade/shade.h"
 
@@ -84,12 +85,12 @@ static uint32_t new_grid(struct tree *t, const struct light *l)
 }
 
 /* One light at one hit: is it worth asking, and with what colour. */
-static void meet_light(const struct shader *sh, struct tree *t, uint32_t hit, uint32_t light)
+static bool ask_light(const struct shader *sh, struct tree *t, uint32_t hit, uint32_t light, bool surface)
 {
 	const struct light *l = &sh->scene->light[light];
 	const struct met *m = BUF_AT(&t->met, struct met, hit);
 	struct light_ray r = light_towards(l, m->p, vec_make(0, 0, 0));
-	double a = spread(l) ? 1 : light_attenuation(l, m->p, &r);
+	double a = surface && spread(l) ? 1 : light_attenuation(l, m->p, &r);
 	struct lit lit = { .hit = hit,
 			   .light = light,
 			   .dir = r.dir,
@@ -98,16 +99,23 @@ static void meet_light(const struct shader *sh, struct tree *t, uint32_t hit, ui
 			   .grid = TREE_NONE };
 	uint32_t i;
 
-	if (shadow_dark(lit.colour) || !wanted(t, l, m, r.dir))
-		return;
+	if (shadow_dark(lit.colour) || (surface && !wanted(t, l, m, r.dir)))
+		return false;
 	if (l->area && !l->shadowless) {
 		lit.grid = new_grid(t, l);
 		if (lit.grid == TREE_NONE)
-			return;
+			return false;
 	}
 	i = tree_push(t, &t->lit, 1);
-	if (i != TREE_NONE)
-		*BUF_AT(&t->lit, struct lit, i) = lit;
+	if (i == TREE_NONE)
+		return false;
+	*BUF_AT(&t->lit, struct lit, i) = lit;
+	return true;
+}
+
+bool lights_ask(const struct shader *sh, struct tree *t, uint32_t hit, uint32_t light)
+{
+	return ask_light(sh, t, hit, light, false);
 }
 
 /* Shadow questions of the point lights, answered in the order they were asked. */
@@ -247,6 +255,13 @@ static void ask_areas(const struct shader *sh, struct tree *t, uint32_t thread,
 	}
 }
 
+void lights_answer(const struct shader *sh, struct tree *t, uint32_t thread, struct shade_counts *counts)
+{
+	ask_points(sh, t, thread, counts);
+	if (!t->no_memory)
+		ask_areas(sh, t, thread, counts);
+}
+
 /* Light of one colour and direction on all layers of a hit. */
 static void fall(struct tree *t, const struct met *m, const struct light *l, vec dir, vec eye,
 		 struct rgb colour)
@@ -292,10 +307,9 @@ void shade_light(const struct shader *sh, struct tree *t, uint32_t thread, struc
 		if (!BUF_AT(&t->met, struct met, i)->layer_count)
 			continue;
 		for (uint32_t j = 0; j < sh->scene->light_count; j++)
-			meet_light(sh, t, i, j);
+			ask_light(sh, t, i, j, true);
 	}
-	ask_points(sh, t, thread, counts);
-	ask_areas(sh, t, thread, counts);
+	lights_answer(sh, t, thread, counts);
 	if (t->no_memory)
 		return;
 	for (uint32_t i = 0; i < t->lit.count; i++) {

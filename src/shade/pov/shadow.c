@@ -8,7 +8,9 @@
  */
 #include "shade/pov/shadow.h"
 
+#include "base/rng.h"
 #include "shade/pov/interior.h"
+#include "shade/pov/media.h"
 
 #define BATCH 1024
 #define CAUSTICS_POWER 45 /* measured: caustics 1 narrows the light to the 45th power */
@@ -66,6 +68,12 @@ static void cross(const struct shader *sh, struct tree *t, struct shadow *s, con
 	struct surface at;
 
 	surface_at(sh->geometry, r, h, &at);
+	if (sh->media) {
+		double from = r->tmin > 0 ? r->tmin : 0;
+
+		s->colour = rgb_mul(s->colour, media_clear(sh, t, s->inside, vec_mad(s->org, s->dir, from),
+							   s->dir, h->t - from, rng_child(0, h->prim)));
+	}
 	s->colour = rgb_mul(s->colour, surface_filter(sh, &at, s->dir));
 	if (inside_contains(t, s->inside, at.object)) {
 		double from = r->tmin > 0 ? r->tmin : 0;

@@ -139,7 +139,8 @@ def build(number, seed, is_ordinary):
         ordinary.world(rng, os.path.join(folder, str(number)), radius)
         ordinary.soften(rng)
         if rng.random() < 0.15:
-            ordinary.blur(rng, rng.choice([ob for ob in bpy.context.scene.objects if ob.type == 'MESH']))
+            ordinary.blur(rng, rng.choice([ob for ob in bpy.context.scene.objects
+                                              if ob.type not in {'CAMERA', 'LIGHT'}]))
     factor = 10 ** rng.choice((-1.5, -0.5, 0, 0, 0, 0, 0.5, 1, 2, 2.8))
     resize(factor)
     print('scene %d: %s, %d objects, %.3g units' % (number, kind.__name__, len(bpy.data.objects),

@@ -163,6 +163,13 @@ static void mirrors_depend_on_the_angle(void **state)
 	NEAR(finish_reflectivity(&f, 0.7, 1, white).r, 0); /* same medium */
 }
 
+static double cross(const struct scene *s, struct tree *t, uint32_t *list, uint32_t object, uint32_t interior)
+{
+	struct met m = { .object = object, .interior = interior };
+
+	return interior_cross(s, t, list, &m);
+}
+
 static void interiors_nest_and_overlap(void **state)
 {
 	struct mem_book book;
@@ -180,14 +187,14 @@ static void interiors_nest_and_overlap(void **state)
 	s.interior[b] = (struct interior){ .ior = 2 };
 
 	NEAR(interior_relative_ior(&s, &t, list, 7, a), 1.5);
-	NEAR(interior_cross(&s, &t, &list, 7, a), 1 / 1.5); /* into 7 */
+	NEAR(cross(&s, &t, &list, 7, a), 1 / 1.5); /* into 7 */
 	NEAR(interior_relative_ior(&s, &t, list, 7, a), 1 / 1.5);
 	NEAR(interior_relative_ior(&s, &t, list, 8, b), 2 / 1.5);
-	NEAR(interior_cross(&s, &t, &list, 8, b), 1.5 / 2); /* into 8, in 7 */
-	NEAR(interior_cross(&s, &t, &list, 7, a), 1); /* out of 7, still in 8 */
+	NEAR(cross(&s, &t, &list, 8, b), 1.5 / 2); /* into 8, in 7 */
+	NEAR(cross(&s, &t, &list, 7, a), 1); /* out of 7, still in 8 */
 	assert_true(inside_contains(&t, list, 8));
 	assert_false(inside_contains(&t, list, 7));
-	NEAR(interior_cross(&s, &t, &list, 8, b), 2); /* out */
+	NEAR(cross(&s, &t, &list, 8, b), 2); /* out */
 	assert_int_equal(list, TREE_NONE);
 
 	s.interior[a].fade_distance = 2;

@@ -12,9 +12,9 @@
 #include "read/limits.h"
 
 enum {
-	KEY_ALPHA = OPTION_LONG_ONLY, KEY_AA, KEY_BITS, KEY_CAMERA_ONLY, KEY_CLOCK, KEY_CROP, KEY_DRY_RUN,
-	KEY_LENIENT, KEY_LIMIT, KEY_LIST_ACCELS, KEY_MEMORY, KEY_PRINT_COMPLETION, KEY_PROGRESS, KEY_RANGE,
-	KEY_SKIP_EXISTING, KEY_STATS, KEY_TILE, KEY_VERSION
+	KEY_ALPHA = OPTION_LONG_ONLY, KEY_AA, KEY_BITS, KEY_BLUR_SAMPLES, KEY_CAMERA_ONLY, KEY_CLOCK,
+	KEY_CROP, KEY_DRY_RUN, KEY_LENIENT, KEY_LIMIT, KEY_LIST_ACCELS, KEY_MEMORY, KEY_PRINT_COMPLETION,
+	KEY_PROGRESS, KEY_RANGE, KEY_SKIP_EXISTING, KEY_STATS, KEY_TILE, KEY_VERSION
 };
 
 #define AA_WORDS "none 2 3 4 pov1 pov2"
@@ -36,6 +36,8 @@ static const struct option_spec alidade_option[] = {
 	  "anti-aliasing: none; N for N x N rays a pixel; pov1 or pov2 for POV-Ray's adaptive methods, "
 	  "with :threshold=..,depth=..,gamma=..; none is the default",
 	  NULL },
+	{ "blur-samples", KEY_BLUR_SAMPLES, OPTION_ARG, "N", COMPLETE_NOTHING, NULL,
+	  "focal blur: N rays a sample; otherwise as many as a good picture takes", NULL },
 	{ "bits", KEY_BITS, OPTION_ARG, "N", COMPLETE_WORDS, "8 16 32",
 	  "bits a channel: 8 or 16 for .png and .ppm, 16 or 32 for .exr", NULL },
 	{ "alpha", KEY_ALPHA, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
@@ -427,6 +429,8 @@ static enum status set_option(void *arg, const struct option_spec *o, const char
 		return set_crop(s, o, value, d);
 	case KEY_AA:
 		return set_aa(s, o, value, d);
+	case KEY_BLUR_SAMPLES:
+		return set_number(o, value, 1, 65536, &s->render.blur_samples, d);
 	case KEY_BITS:
 		return set_bits(s, o, value, d);
 	case 'f':

@@ -1,6 +1,7 @@
 src_libalidade_la_SOURCES += \
 	src/render/aa.c src/render/aa.h \
 	src/render/fold.c src/render/fold.h \
+	src/render/lens.c src/render/lens.h \
 	src/render/render.h \
 	src/render/schedule.c \
 	src/render/wave.c src/render/wave.h

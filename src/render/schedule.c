@@ -170,6 +170,7 @@ static void free_workers(struct job *j, uint32_t threads)
 		tree_release(&j->worker[i].tree);
 		buf_release(&j->worker[i].sample);
 		buf_release(&j->worker[i].map);
+		buf_release(&j->worker[i].lens);
 		buf_release(&j->worker[i].frame);
 	}
 	for (uint32_t i = 0; i < threads && j->pixel; i++)

@@ -14,11 +14,12 @@
 
 #include "base/rng.h"
 #include "render/fold.h"
+#include "render/lens.h"
 #include "shade/camera.h"
 
 #define BATCH 1024
 
-static uint64_t sample_key(const struct sample *s)
+uint64_t wave_key(const struct sample *s)
 {
 	uint64_t x, y;
 
@@ -27,14 +28,24 @@ static uint64_t sample_key(const struct sample *s)
 	return rng_mix(rng_mix(x) + y);
 }
 
-/* The root of sample s. */
-static bool push_camera(struct worker *w, const struct sample *s)
+static bool root_ray(const struct worker *w, const struct wave_root *r, struct node *n)
+{
+	const struct camera *c = &w->shader->scene->camera;
+	double width = w->options->width, height = w->options->height;
+
+	if (camera_has_lens(c))
+		return camera_lens_ray(c, r->x, r->y, width, height, r->lens_x, r->lens_y, &n->org,
+				       &n->dir);
+	return camera_ray(c, r->x, r->y, width, height, &n->org, &n->dir);
+}
+
+bool wave_push(struct worker *w, const struct wave_root *r)
 {
 	struct tree *t = &w->tree;
 	const struct scene *scene = w->shader->scene;
 	uint32_t i = tree_push(t, &t->node, 1);
 	struct node n = { .weight = 1,
-			  .key = sample_key(s),
+			  .key = r->key,
 			  .skip = ALD_NONE,
 			  .kind = NODE_CAMERA,
 			  .clear_sky = w->shader->alpha,
@@ -42,13 +53,13 @@ static bool push_camera(struct worker *w, const struct sample *s)
 
 	if (i == TREE_NONE)
 		return false;
-	if (!camera_ray(&scene->camera, s->x, s->y, w->options->width, w->options->height, &n.org,
-			&n.dir)) {
+	if (!root_ray(w, r, &n)) {
 		n.nowhere = true;
 		n.org = scene->camera.location;
 		n.dir = vec_make(0, 0, 1);
-	} else if (!camera_is_point(&scene->camera))
+	} else if (!camera_is_point(&scene->camera)) {
 		n.inside = shade_camera_inside(w->shader, t, n.org);
+	}
 	*BUF_AT(&t->node, struct node, i) = n;
 	return true;
 }
@@ -192,22 +203,44 @@ static bool follow(struct worker *w, uint32_t roots, uint32_t hints)
 	return true;
 }
 
+bool wave_begin(struct worker *w)
+{
+	const struct camera *c = &w->shader->scene->camera;
+
+	tree_reset(&w->tree);
+	w->frame.size = sizeof(struct frame);
+	w->inside = camera_is_point(c) ? shade_camera_inside(w->shader, &w->tree, c->location) :
+					 TREE_NONE;
+	return !w->tree.no_memory;
+}
+
+bool wave_follow(struct worker *w, uint32_t roots)
+{
+	bool point = camera_is_point(&w->shader->scene->camera);
+
+	if (!follow(w, roots, ALD_COHERENT | (point ? ALD_ONE_ORIGIN : 0)))
+		return false;
+	w->counts.samples += roots;
+	return true;
+}
+
 bool wave_trace(struct worker *w, uint32_t first, uint32_t n)
 {
-	const struct scene *scene = w->shader->scene;
-	bool pinhole = camera_is_point(&scene->camera);
 	struct tree *t = &w->tree;
 
-	tree_reset(t);
-	w->frame.size = sizeof(struct frame);
-	w->inside = pinhole ? shade_camera_inside(w->shader, t, scene->camera.location) : TREE_NONE;
+	if (camera_has_lens(&w->shader->scene->camera))
+		return lens_trace(w, first, n);
+	if (!wave_begin(w))
+		return false;
 	for (uint32_t i = 0; i < n; i++) {
-		if (!push_camera(w, BUF_AT(&w->sample, struct sample, first + i)))
+		const struct sample *s = BUF_AT(&w->sample, struct sample, first + i);
+		struct wave_root root = { .x = s->x, .y = s->y, .key = wave_key(s) };
+
+		if (!wave_push(w, &root))
 			return false;
 	}
-	if (!follow(w, n, ALD_COHERENT | (pinhole ? ALD_ONE_ORIGIN : 0)))
+	if (!wave_follow(w, n))
 		return false;
-	w->counts.samples += n;
 	for (uint32_t i = 0; i < n; i++) {
 		struct sample *s = BUF_AT(&w->sample, struct sample, first + i);
 		const struct node *node = BUF_AT(&t->node, struct node, i);

@@ -37,6 +37,9 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/opaque-outside.pov \
 	tests/features/orthographic.pov \
 	tests/features/parallel.pov \
+	tests/features/soft-focus-scaled.pov \
+	tests/features/soft-focus-spherical.pov \
+	tests/features/soft-focus.pov \
 	tests/features/solids.pov \
 	tests/features/spot.pov \
 	tests/features/terminator.pov \
@@ -79,6 +82,9 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/opaque-outside.exr \
 	tests/features/orthographic.exr \
 	tests/features/parallel.exr \
+	tests/features/soft-focus-scaled.exr \
+	tests/features/soft-focus-spherical.exr \
+	tests/features/soft-focus.exr \
 	tests/features/solids.exr \
 	tests/features/spot.exr \
 	tests/features/terminator.exr \

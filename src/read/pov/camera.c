@@ -381,6 +381,15 @@ static struct camera finished(const struct draft *d)
 	return c;
 }
 
+/* Where rays start in a line or plane POV-Ray 3.7 lets its lens make one point of them. */
+static void check_lens(struct pov *p, const struct camera *c)
+{
+	if (c->aperture != 0 && (c->kind == CAMERA_ORTHOGRAPHIC || c->kind == CAMERA_CYLINDER_3 ||
+				 c->kind == CAMERA_CYLINDER_4))
+		pov_warn(p, &c->pos, "focal blur of this kind of camera is drawn as it is meant; POV-Ray "
+			 "3.7 draws one point of the picture everywhere");
+}
+
 struct pov_camera *pov_read_camera(struct pov *p)
 {
 	struct draft d = draft_default();
@@ -397,7 +406,6 @@ struct pov_camera *pov_read_camera(struct pov *p)
 		return NULL;
 	c->camera = finished(&d);
 	c->lack = d.lack;
-	if (c->camera.aperture != 0 && !c->lack.construct)
-		pov_lack_note(p, &c->lack, "focal blur", "remove aperture and blur_samples from the camera");
+	check_lens(p, &c->camera);
 	return c;
 }

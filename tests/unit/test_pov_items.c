@@ -579,7 +579,9 @@ static void test_errors(void **unused)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_camera_angles), cmocka_unit_test(test_focal_blur), cmocka_unit_test(test_cameras),	 cmocka_unit_test(test_lights),
+		cmocka_unit_test(test_camera_angles),
+		cmocka_unit_test(test_focal_blur),
+		cmocka_unit_test(test_cameras),	 cmocka_unit_test(test_lights),
 		cmocka_unit_test(test_finishes), cmocka_unit_test(test_textures),
 		cmocka_unit_test(test_defaults), cmocka_unit_test(test_objects),
 		cmocka_unit_test(test_unions),	 cmocka_unit_test(test_settings),

@@ -1,3 +1,6 @@
 src_libalidade_la_SOURCES += \
+	src/pattern/cell_table.h src/pattern/noise_table.h \
+	src/pattern/noise.c src/pattern/noise.h \
 	src/pattern/pattern.h \
-	src/pattern/pigment.c
+	src/pattern/pigment.c \
+	src/pattern/random.c src/pattern/random.h

@@ -13,6 +13,7 @@ void scene_init(struct scene *s, struct mem_book *book)
 	s->version = 370;
 	s->assumed_gamma = 1;
 	s->max_trace_level = 5;
+	s->number_of_waves = 10;
 	s->adc_bailout = 1.0 / 255.0;
 	s->ambient_light = rgb_make(1, 1, 1);
 	s->first_root = s->last_root = SCENE_NONE;
@@ -252,6 +253,8 @@ uint64_t scene_hash(const struct scene *s)
 	h = HASH(h, s->version);
 	h = HASH(h, s->assumed_gamma);
 	h = HASH(h, s->max_trace_level);
+	h = HASH(h, s->noise_generator);
+	h = HASH(h, s->number_of_waves);
 	h = HASH(h, s->adc_bailout);
 	h = HASH(h, s->ambient_light);
 	h = HASH(h, s->background);

@@ -175,6 +175,8 @@ struct scene {
 	double adc_bailout;
 	struct rgb ambient_light;
 	struct rgbft background;
+	uint32_t noise_generator; /* of patterns that name none: 1, 2, 3, or 0: by the version */
+	uint32_t number_of_waves; /* of ripples and waves, at least 1 */
 	bool radiosity; /* a radiosity block was given */
 	struct camera camera;
 	bool has_camera;

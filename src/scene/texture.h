@@ -139,7 +139,7 @@ struct pattern {
 	struct warp *warp; /* outermost first: the order in which a point is led through them */
 	enum wave_kind wave;
 	double frequency, phase, exponent; /* value * frequency + phase, then the wave; 1, 0, 1 */
-	uint32_t noise; /* noise_generator: 1, 2 or 3 */
+	uint32_t noise; /* noise_generator: 1, 2 or 3, or 0: the scene's */
 	/* Turbulence that some patterns (marble, wood, agate ...) also use inside. */
 	struct {
 		vec amount;

@@ -115,3 +115,11 @@ endif
 EXTRA_DIST += tests/pov/core tests/fuzz/pov.py
 
 EXTRA_DIST += tests/pov/blender
+
+if HAVE_CMOCKA
+check_PROGRAMS += tests/unit/test_noise
+tests_unit_test_noise_SOURCES = tests/unit/test_noise.c
+tests_unit_test_noise_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_noise_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_noise
+endif

@@ -11,6 +11,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "pattern/noise.h"
 #include "read/pov/number.h"
 
 #define PI 3.14159265358979323846
@@ -378,6 +379,25 @@ static vec axis_rotate(struct pov *p)
 	return mat_point(&x.fwd, a);
 }
 
+/* Lambda and omega are single precision in POV-Ray, as its digits show. */
+static vec vturbulence(struct pov *p)
+{
+	double lambda, omega, octaves;
+	vec a;
+
+	open_paren(p);
+	lambda = expr_float(p);
+	pov_comma(p);
+	omega = expr_float(p);
+	pov_comma(p);
+	octaves = expr_float(p);
+	pov_comma(p);
+	a = vector(p);
+	close_paren(p);
+	octaves = octaves > 1 ? octaves < 10 ? octaves : 10 : 1;
+	return noise_vector_turbulence(a, (uint32_t)octaves, (float)lambda, (float)omega);
+}
+
 void func_vector(struct pov *p, struct pov_value *v, uint32_t terms)
 {
 	enum pov_token_kind kind = pov_token(p);
@@ -417,6 +437,9 @@ void func_vector(struct pov *p, struct pov_value *v, uint32_t terms)
 		two_vectors(p, &a, &b);
 		turn = xform_rotate(b);
 		a = mat_point(&turn.fwd, a);
+		break;
+	case TOK_VTURBULENCE:
+		a = vturbulence(p);
 		break;
 	case TOK_VAXIS_ROTATE:
 		a = axis_rotate(p);

@@ -139,6 +139,7 @@ struct pov_object *pov_read_triangle(struct pov *, const struct diag_pos *at, bo
 struct pov_object *pov_read_object(struct pov *);
 bool pov_starts_object(struct pov *);
 void pov_read_settings(struct pov *);
+uint32_t pov_noise_generator(struct pov *); /* a number of 1 to 3 */
 void pov_read_background(struct pov *);
 
 /* pigment, normal or finish as the current token: *t with its topmost layer changed, or #default's. */

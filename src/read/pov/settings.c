@@ -71,6 +71,31 @@ static void read_radiosity(struct pov *p)
 	pov_skip_block(p);
 }
 
+uint32_t pov_noise_generator(struct pov *p)
+{
+	struct diag_pos at = pov_here(p);
+	double n = trunc(pov_finite_float(p, "noise_generator"));
+
+	if (n >= 1 && n <= 3)
+		return (uint32_t)n;
+	pov_fail_at(p, &at, "noise_generator %g is none of 1, 2 and 3", n);
+	return 2;
+}
+
+static void read_waves(struct pov *p)
+{
+	struct diag_pos at;
+	double n;
+
+	pov_next(p);
+	at = pov_here(p);
+	n = trunc(pov_finite_float(p, "number_of_waves"));
+	if (n > 1000)
+		pov_fail_at(p, &at, "number_of_waves %g is more than 1000", n);
+	else
+		pov_scene(p)->number_of_waves = n >= 1 ? (uint32_t)n : 1;
+}
+
 static bool read_word(struct pov *p)
 {
 	struct scene *s = pov_scene(p);
@@ -99,9 +124,14 @@ static bool read_word(struct pov *p)
 	case TOK_RADIOSITY:
 		read_radiosity(p);
 		return true;
-	/* For what is not rendered anyway: patterns, irid, height fields, text, subsurface. */
 	case TOK_NUMBER_OF_WAVES:
+		read_waves(p);
+		return true;
 	case TOK_NOISE_GENERATOR:
+		pov_next(p);
+		s->noise_generator = pov_noise_generator(p);
+		return true;
+	/* For what is not rendered anyway: irid, height fields, text, subsurface. */
 	case TOK_MAX_INTERSECTIONS:
 	case TOK_MM_PER_UNIT:
 		pov_next(p);

@@ -186,7 +186,7 @@ void geometry_get_counts(const struct geometry *g, struct geometry_counts *c)
 	const struct prim_level *w = &g->set.level[0];
 
 	*c = (struct geometry_counts){ .triangles = w->tri_count,
-				       .primitives = w->prim_count,
+				       .primitives = w->prim_count + w->piece_count,
 				       .instances = w->instance_count,
 				       .unbounded = g->set.unbounded_count,
 				       .dropped = g->set.dropped,

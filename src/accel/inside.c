@@ -61,6 +61,8 @@ static bool leaf_holds(const struct geometry *g, const struct prim_leaf *f, vec 
 		return false;
 	} else if (f->kind == SHAPE_PLANE) {
 		in = plane_inside(&g->set.unbounded[f->item].plane, level);
+	} else if (body_ops_of(f->kind)) {
+		in = body_inside(&g->set.level[0].body[f->item], level);
 	} else {
 		in = prim_inside(&g->set.level[0].prim[f->item], level);
 	}

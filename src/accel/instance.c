@@ -14,13 +14,18 @@ void view_bounds(const ald_prims *prims, uint32_t id, ald_box *out)
 	const struct prim_level *l = v->level;
 	vec c[3];
 
-	if (id >= l->tri_count + l->prim_count) {
-		*out = l->instance[id - l->tri_count - l->prim_count].box;
+	switch (prim_level_id(l, &id)) {
+	case PRIM_INSTANCE:
+		*out = l->instance[id].box;
 		return;
-	}
-	if (id >= l->tri_count) {
-		*out = l->prim[id - l->tri_count].box;
+	case PRIM_PIECE:
+		*out = l->piece[id].box;
 		return;
+	case PRIM_SHAPE:
+		*out = l->prim[id].box;
+		return;
+	case PRIM_TRIANGLE:
+		break;
 	}
 	prim_triangle(l, id, c);
 	*out = (ald_box){ c[0], c[0] };
@@ -58,11 +63,16 @@ static int take_inner(uint32_t id, const ald_hit *found, ald_hit *hit)
 	return 1;
 }
 
+static const struct prim_instance *instance_of(const struct view *v, uint32_t id)
+{
+	prim_level_id(v->level, &id);
+	return &v->level->instance[id];
+}
+
 static int intersect_instance(const struct view *v, uint32_t id, ald_query *q, const ald_ray *r,
 			      ald_hit *hit)
 {
-	const struct prim_level *l = v->level;
-	const struct prim_instance *p = &l->instance[id - l->tri_count - l->prim_count];
+	const struct prim_instance *p = instance_of(v, id);
 	const struct geometry *g = v->geometry;
 	struct worker *w = ((struct query *)q)->worker;
 	ald_ray in;
@@ -77,15 +87,24 @@ int view_intersect(const ald_prims *prims, uint32_t id, ald_query *q, const ald_
 {
 	const struct view *v = (const struct view *)prims;
 	const struct prim_level *l = v->level;
+	const struct prim_piece *piece;
+	uint32_t i = id;
 	ald_prep prep;
 	vec c[3];
 
 	if (!ald_sees(prims, r, id))
 		return 0;
-	if (id >= l->tri_count + l->prim_count)
+	switch (prim_level_id(l, &i)) {
+	case PRIM_INSTANCE:
 		return intersect_instance(v, id, q, r, hit);
-	if (id >= l->tri_count)
-		return prim_intersect(&l->prim[id - l->tri_count], id, r, hit);
+	case PRIM_PIECE:
+		piece = &l->piece[i];
+		return piece_intersect(&l->body[piece->body], piece, id, r, hit);
+	case PRIM_SHAPE:
+		return prim_intersect(&l->prim[i], id, r, hit);
+	case PRIM_TRIANGLE:
+		break;
+	}
 	ald_ray_prep(&v->frame, r, &prep);
 	prim_triangle(l, id, c);
 	return ald_triangle(&prep, r, c, id, hit);
@@ -94,8 +113,7 @@ int view_intersect(const ald_prims *prims, uint32_t id, ald_query *q, const ald_
 static void intersect_instance_n(const struct view *v, uint32_t id, ald_query *q, const ald_ray *r,
 				 ald_hit *hit, const uint8_t *live, uint32_t n)
 {
-	const struct prim_level *l = v->level;
-	const struct prim_instance *p = &l->instance[id - l->tri_count - l->prim_count];
+	const struct prim_instance *p = instance_of(v, id);
 	const struct geometry *g = v->geometry;
 	struct worker *w = ((struct query *)q)->worker;
 	uint32_t m = 0;
@@ -119,8 +137,9 @@ void view_intersect_n(const ald_prims *prims, uint32_t id, ald_query *q, const a
 		      const uint8_t *live, uint32_t n)
 {
 	const struct view *v = (const struct view *)prims;
+	uint32_t kind = id;
 
-	if (id >= v->level->tri_count + v->level->prim_count) {
+	if (prim_level_id(v->level, &kind) == PRIM_INSTANCE) {
 		intersect_instance_n(v, id, q, r, hit, live, n);
 		return;
 	}

@@ -131,38 +131,44 @@ void surface_at(const struct geometry *g, const ald_ray *ray, const ald_hit *hit
 {
 	const struct prim_level *l = &g->set.level[0];
 	const struct prim_leaf *f;
+	const struct prim_instance *in;
 	uint32_t leaf, face = 0, id = hit->prim;
 	bool mesh = false;
 	struct place at;
 	ald_ray r;
 
 	s->planar = false;
-	if (id < l->tri_count) {
-		leaf = view_leaf(l, id, &face);
-		place_triangle(l, id, hit->u, hit->v, &at);
-		if (g->set.leaf[leaf].mirrored)
-			at.n = vec_neg(at.n);
-		mesh = s->planar = true;
-	} else if (id >= l->count) {
+	if (id >= l->count) {
 		leaf = g->set.unbounded[id - l->count].leaf;
 		level_ray(l, ray, &r);
 		plane_surface(&g->set.unbounded[id - l->count].plane, &r, hit, &at.p, &at.n, &at.error);
 		s->planar = true;
-	} else if (id < l->tri_count + l->prim_count) {
-		const struct prim *p = &l->prim[id - l->tri_count];
-
-		leaf = view_leaf(l, id, &face);
-		level_ray(l, ray, &r);
-		prim_surface(p, &r, hit, &at.p, &at.n, &at.error);
-		s->planar = p->kind == SHAPE_DISC;
 	} else {
-		const struct prim_instance *in = &l->instance[id - l->tri_count - l->prim_count];
-
-		leaf = in->leaf;
-		view_leaf(&g->set.level[in->level], hit->sub[0], &face);
-		place_triangle(&g->set.level[in->level], hit->sub[0], hit->u, hit->v, &at);
-		leave_instance(in, &at);
-		mesh = true;
+		leaf = view_leaf(l, id, &face);
+		switch (prim_level_id(l, &id)) {
+		case PRIM_TRIANGLE:
+			place_triangle(l, id, hit->u, hit->v, &at);
+			if (g->set.leaf[leaf].mirrored)
+				at.n = vec_neg(at.n);
+			mesh = s->planar = true;
+			break;
+		case PRIM_SHAPE:
+			level_ray(l, ray, &r);
+			prim_surface(&l->prim[id], &r, hit, &at.p, &at.n, &at.error);
+			s->planar = l->prim[id].kind == SHAPE_DISC;
+			break;
+		case PRIM_PIECE:
+			level_ray(l, ray, &r);
+			piece_surface(&l->body[l->piece[id].body], &r, hit, &at.p, &at.n, &at.error);
+			break;
+		case PRIM_INSTANCE:
+			in = &l->instance[id];
+			view_leaf(&g->set.level[in->level], hit->sub[0], &face);
+			place_triangle(&g->set.level[in->level], hit->sub[0], hit->u, hit->v, &at);
+			leave_instance(in, &at);
+			mesh = true;
+			break;
+		}
 	}
 	f = &g->set.leaf[leaf];
 	leaf_surface(f, s);

@@ -146,6 +146,7 @@ enum status prim_compile(struct prim_set *s, const struct scene *scene, struct m
 	enum status st;
 
 	*s = (struct prim_set){ .scene = scene, .book = book };
+	arena_init(&s->arena, book, "geometry");
 	st = flatten(s, diag);
 	if (!st)
 		st = choose_levels(s, diag);
@@ -173,11 +174,16 @@ void prim_set_release(struct prim_set *s)
 		mem_free(l->index);
 		mem_free(l->mask);
 		mem_free(l->prim);
+		mem_free(l->piece);
+		mem_free(l->body);
 		mem_free(l->instance);
 	}
 	mem_free(s->level);
 	mem_free(s->leaf);
 	mem_free(s->unbounded);
+	for (unsigned k = 0; k < SHAPE_KINDS; k++)
+		mem_free(s->body_data[k]);
+	arena_release(&s->arena);
 	*s = (struct prim_set){ .scene = NULL };
 }
 

@@ -6,12 +6,14 @@
  * Unions are flattened to leaves. A leaf's triangles are baked into level 0, which is the world moved and
  * scaled by a power of two; a larger mesh that several leaves share gets a level of its own, in its own
  * coordinates, and stands in level 0 as instances. Ids of a level are its triangles, group by group, then
- * its analytic primitives, then its instances. Infinite planes have no id in a level.
+ * its analytic primitives, then the pieces of its bodies, then its instances. Infinite planes have no id in
+ * a level.
  */
 #ifndef ALIDADE_PRIM_COMPILE_H
 #define ALIDADE_PRIM_COMPILE_H
 
 #include "base/diag.h"
+#include "prim/body.h"
 #include "prim/prim.h"
 
 /* A primitive's mask: what kinds of ray see it. Same bits as accel/trace.h's enum trace_mask. */
@@ -32,8 +34,8 @@ struct prim_leaf { /* an object that is no union, with all that it inherits */
 	uint32_t texture, interior_texture, interior, mesh;
 	unsigned flags;
 	uint32_t level; /* the instanced mesh's, or 0 */
-	uint32_t item; /* index among level 0's analytic primitives, its instances, or the unbounded ones;
-			  SCENE_NONE: baked mesh, or dropped */
+	uint32_t item; /* index among level 0's analytic primitives, its bodies, its instances, or the
+			  unbounded ones; SCENE_NONE: baked mesh, or dropped */
 };
 
 struct prim_group { /* ids of one leaf that stand together */
@@ -53,7 +55,8 @@ struct prim_level {
 	double scale; /* a power of two */
 	double size, pad; /* at least the extent D0, and 16 u of it (R4) */
 	ald_box box; /* of the padded boxes */
-	uint32_t count, tri_count, prim_count, instance_count;
+	uint32_t count, tri_count, prim_count, piece_count, instance_count;
+	uint32_t body_count;
 	uint32_t group_count;
 	uint32_t *group_first; /* [group_count + 1] */
 	struct prim_group *group;
@@ -63,8 +66,27 @@ struct prim_level {
 	uint32_t *index;
 	uint32_t *mask; /* [count] or NULL */
 	struct prim *prim;
+	struct prim_piece *piece;
+	struct prim *body; /* what pieces are pieces of */
 	struct prim_instance *instance;
 };
+
+/* What stands behind an id, which becomes the index among its kind. */
+enum prim_id { PRIM_TRIANGLE, PRIM_SHAPE, PRIM_PIECE, PRIM_INSTANCE };
+
+static inline enum prim_id prim_level_id(const struct prim_level *l, uint32_t *id)
+{
+	if (*id < l->tri_count)
+		return PRIM_TRIANGLE;
+	*id -= l->tri_count;
+	if (*id < l->prim_count)
+		return PRIM_SHAPE;
+	*id -= l->prim_count;
+	if (*id < l->piece_count)
+		return PRIM_PIECE;
+	*id -= l->piece_count;
+	return PRIM_INSTANCE;
+}
 
 struct prim_unbounded {
 	struct prim_plane plane;
@@ -80,6 +102,8 @@ struct prim_set {
 	struct prim_level *level;
 	uint32_t unbounded_count;
 	struct prim_unbounded *unbounded;
+	struct arena arena; /* data of bodies */
+	void **body_data[SHAPE_KINDS]; /* by kind and the scene's number of the shape; NULL until made */
 	uint64_t dropped;
 	ald_box world; /* of the finite geometry; empty if there is none */
 };

@@ -7,7 +7,7 @@
 #include "prim/layout.h"
 
 struct sums {
-	uint64_t triangles, vertices, prims, instances, groups, planes;
+	uint64_t triangles, vertices, prims, pieces, bodies, instances, groups, planes;
 };
 
 static bool is_bounded(enum shape_kind k)
@@ -95,7 +95,7 @@ static void *take(struct prim_set *s, uint64_t n, size_t size, bool *ok)
 static enum status take_level(struct prim_set *s, struct prim_level *l, const struct sums *n, bool mask,
 			      struct diag *diag)
 {
-	uint64_t ids = n->triangles + n->prims + n->instances;
+	uint64_t ids = n->triangles + n->prims + n->pieces + n->instances;
 	bool ok = true;
 
 	if (ids + n->planes >= UINT32_MAX - 1 || n->vertices >= UINT32_MAX)
@@ -107,12 +107,16 @@ static enum status take_level(struct prim_set *s, struct prim_level *l, const st
 	l->vertex = take(s, n->vertices, 3 * sizeof(double), &ok);
 	l->index = take(s, n->triangles, 3 * sizeof(uint32_t), &ok);
 	l->prim = take(s, n->prims, sizeof(*l->prim), &ok);
+	l->piece = take(s, n->pieces, sizeof(*l->piece), &ok);
+	l->body = take(s, n->bodies, sizeof(*l->body), &ok);
 	l->instance = take(s, n->instances, sizeof(*l->instance), &ok);
 	if (mask)
 		l->mask = take(s, ids, sizeof(*l->mask), &ok);
 	if (!ok)
 		return diag_no_memory(diag, "the geometry",
-				      n->vertices * 24 + n->triangles * 16 + n->prims * sizeof(*l->prim) +
+				      n->vertices * 24 + n->triangles * 16 +
+					      (n->prims + n->bodies) * sizeof(*l->prim) +
+					      n->pieces * sizeof(*l->piece) +
 					      n->instances * sizeof(*l->instance));
 	return STATUS_OK;
 }
@@ -184,8 +188,46 @@ static bool join_instance(const struct prim_level *in, const struct xform *place
 	return in->count > 0;
 }
 
+/* The shape's data, made when the first object asks for it; NULL: no memory. */
+static const void *body_data(struct prim_set *s, const struct object *o)
+{
+	const struct body_ops *ops = body_ops_of(o->kind);
+	uint32_t count, i = ops->shape(s->scene, o, &count);
+	void ***list = &s->body_data[o->kind];
+
+	if (!*list)
+		*list = mem_zalloc(s->book, "geometry", mem_product(count, sizeof(**list)));
+	if (!*list)
+		return NULL;
+	if (!(*list)[i]) {
+		(*list)[i] = arena_zalloc(&s->arena, ops->bytes(s->scene, o));
+		if ((*list)[i])
+			ops->make(s->scene, o, (*list)[i]);
+	}
+	return (*list)[i];
+}
+
+static bool body_box(struct prim_set *s, const struct prim_leaf *f, ald_box *box)
+{
+	const struct object *o = &s->scene->object[f->object];
+	const struct body_data *data = body_data(s, o);
+	ald_box all = ald_box_empty();
+	struct prim_piece q;
+	struct prim p;
+
+	if (!data || !body_make(&p, o, &f->place, vec_make(0, 0, 0), 1, data))
+		return false;
+	for (uint32_t i = 0; i < data->pieces; i++) {
+		if (!piece_make(&q, &p, 0, i, 0, 0))
+			return false;
+		ald_box_join(&all, &q.box);
+	}
+	ald_box_join(box, &all);
+	return data->pieces > 0;
+}
+
 /* Where a leaf lies in the world; false: nowhere, or without bounds. */
-static bool leaf_box(const struct prim_set *s, const struct prim_leaf *f, ald_box *box)
+static bool leaf_box(struct prim_set *s, const struct prim_leaf *f, ald_box *box)
 {
 	const struct object *o = &s->scene->object[f->object];
 	struct prim p;
@@ -194,6 +236,8 @@ static bool leaf_box(const struct prim_set *s, const struct prim_leaf *f, ald_bo
 		return join_instance(&s->level[f->level], &f->place, box);
 	if (f->kind == SHAPE_MESH)
 		return prim_join_mesh(box, &s->scene->mesh[f->mesh], &f->place.fwd);
+	if (body_ops_of(f->kind))
+		return body_box(s, f, box);
 	if (!is_bounded(f->kind) ||
 	    !prim_make(&p, o, &f->place, vec_make(0, 0, 0), 1, 0, 0))
 		return false;
@@ -214,6 +258,9 @@ static void count_world(struct prim_set *s, struct sums *n)
 			n->vertices += s->scene->mesh[f->mesh].vertex_count;
 		} else if (is_bounded(f->kind)) {
 			n->prims++;
+		} else if (body_ops_of(f->kind)) {
+			n->bodies++;
+			n->pieces += body_ops_of(f->kind)->pieces(s->scene, &s->scene->object[f->object]);
 		} else if (f->kind == SHAPE_PLANE) {
 			n->planes++;
 		}
@@ -224,6 +271,46 @@ static void add_group(struct prim_level *l, uint32_t leaf)
 {
 	l->group[l->group_count].leaf = leaf;
 	l->group_first[l->group_count++] = l->count;
+}
+
+static unsigned solid_mask(const struct prim_set *s, const struct prim_leaf *f)
+{
+	return leaf_mask(f->flags) &
+	       (prim_leaf_mask(s->scene, f) | ~(unsigned)(PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR));
+}
+
+/* All pieces or none. */
+static enum status add_body(struct prim_set *s, struct prim_level *l, uint32_t leaf, struct diag *diag)
+{
+	const struct prim_leaf *f = &s->leaf[leaf];
+	const struct object *o = &s->scene->object[f->object];
+	const struct body_data *data = body_data(s, o);
+	struct prim *p = &l->body[l->body_count];
+	ald_box all = ald_box_empty();
+	unsigned mask = solid_mask(s, f);
+
+	if (!data)
+		return diag_no_memory(diag, "the geometry", 0);
+	if (!data->pieces || !body_make(p, o, &f->place, l->shift, l->scale, data)) {
+		s->dropped++;
+		return STATUS_OK;
+	}
+	for (uint32_t i = 0; i < data->pieces; i++) {
+		struct prim_piece *q = &l->piece[l->piece_count + i];
+
+		if (!piece_make(q, p, l->body_count, i, l->size, l->pad)) {
+			s->dropped++;
+			return STATUS_OK;
+		}
+		ald_box_join(&all, &q->box);
+	}
+	add_group(l, leaf);
+	for (uint32_t i = 0; i < data->pieces; i++)
+		l->mask[l->count++] = mask;
+	l->piece_count += data->pieces;
+	s->leaf[leaf].item = l->body_count++;
+	ald_box_join(&l->box, &all);
+	return STATUS_OK;
 }
 
 static void add_prim(struct prim_set *s, struct prim_level *l, uint32_t leaf)
@@ -237,9 +324,7 @@ static void add_prim(struct prim_set *s, struct prim_level *l, uint32_t leaf)
 		return;
 	}
 	add_group(l, leaf);
-	l->mask[l->count++] = leaf_mask(f->flags) &
-			      (prim_leaf_mask(s->scene, f) |
-			       ~(unsigned)(PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR));
+	l->mask[l->count++] = solid_mask(s, f);
 	s->leaf[leaf].item = l->prim_count++;
 	ald_box_join(&l->box, &p->box);
 }
@@ -311,9 +396,7 @@ static void add_plane(struct prim_set *s, const struct prim_level *l, uint32_t l
 		return;
 	}
 	p->leaf = leaf;
-	p->mask = leaf_mask(f->flags) &
-		  (prim_leaf_mask(s->scene, f) |
-		   ~(unsigned)(PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR));
+	p->mask = solid_mask(s, f);
 	s->leaf[leaf].item = s->unbounded_count++;
 }
 
@@ -389,10 +472,14 @@ enum status layout_world(struct prim_set *s, struct diag *diag)
 		else if (s->leaf[i].kind == SHAPE_PLANE)
 			add_plane(s, l, i);
 	}
+	for (uint32_t i = 0; i < s->leaf_count && !st; i++) {
+		if (body_ops_of(s->leaf[i].kind))
+			st = add_body(s, l, i, diag);
+	}
 	for (uint32_t i = 0; i < s->leaf_count; i++) {
 		if (s->leaf[i].level)
 			add_instance(s, l, i);
 	}
 	l->group_first[l->group_count] = l->count;
-	return STATUS_OK;
+	return st;
 }

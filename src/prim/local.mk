@@ -1,4 +1,5 @@
 src_libalidade_la_SOURCES += \
+	src/prim/body.c src/prim/body.h \
 	src/prim/box.c \
 	src/prim/compile.c src/prim/compile.h \
 	src/prim/cone.c \
@@ -6,7 +7,9 @@ src_libalidade_la_SOURCES += \
 	src/prim/layout.c src/prim/layout.h \
 	src/prim/mesh.c \
 	src/prim/plane.c \
+	src/prim/poly.c src/prim/poly.h \
 	src/prim/prim.h \
 	src/prim/shape.c \
 	src/prim/sphere.c \
+	src/prim/sweep.c \
 	src/prim/torus.c

@@ -25,7 +25,14 @@ struct prim {
 	struct mat from; /* own to level; linear part only */
 	double a, b; /* cone: mean radius and half the growth; torus: minor radius; disc: hole */
 	vec half; /* box */
-	ald_box box; /* grown, as the accelerator sees it */
+	ald_box box; /* grown, as the accelerator sees it; a body has none */
+	const void *data; /* of a body, see body.h */
+};
+
+/* A ray in own coordinates, its origin slid to the point of closest approach: o + (t - slide) d. */
+struct prim_line {
+	vec o, d;
+	double slide;
 };
 
 /* Where a line meets a primitive, in order; t may be infinite or NaN, which never counts. */
@@ -63,6 +70,16 @@ int prim_intersect(const struct prim *, uint32_t id, const ald_ray *, ald_hit *)
 /* Place and unit normal in level coordinates of a hit, and a bound on the place's error. */
 void prim_surface(const struct prim *, const ald_ray *, const ald_hit *, vec *p, vec *n, double *error);
 bool prim_inside(const struct prim *, vec p); /* p in level coordinates */
+
+/* What shape.c shares with body.c. The maps of a shape that own takes to the object's coordinates, the
+ * fourth row being its centre; false: not finite or flat. */
+bool prim_frame(struct prim *, const struct mat *own, const struct xform *place, vec shift, double scale);
+/* The box's two sides across axis k, for a shape that reaches so far down and up from its centre. */
+bool prim_side(const struct prim *, unsigned k, double down, double up, double size, double pad,
+	       ald_box *);
+bool prim_line(const struct prim *, const ald_ray *, struct prim_line *); /* false: no such line */
+double prim_clamp(const ald_ray *, const ald_box *, double t);
+void prim_leave(const struct prim *, const struct prim_point *, vec *p, vec *n, double *error);
 
 /* How far rounding can move a ray, on its way through a map and back, along axis k; its coordinates
  * relative to the map's centre are up to size. */

@@ -89,15 +89,11 @@ double prim_map_error(const struct mat *to, const struct mat *from, unsigned k, 
 	return 16 * ALD_U * e;
 }
 
-bool prim_make(struct prim *p, const struct object *o, const struct xform *place, vec shift,
-	       double scale, double size, double pad)
+bool prim_frame(struct prim *p, const struct mat *own, const struct xform *place, vec shift, double scale)
 {
-	struct mat m;
-	vec c;
+	struct mat m = *own;
+	vec c = mat_point(&place->fwd, vec_make(m.m[3][0], m.m[3][1], m.m[3][2]));
 
-	*p = (struct prim){ .kind = o->kind };
-	m = canonical(p, o);
-	c = mat_point(&place->fwd, vec_make(m.m[3][0], m.m[3][1], m.m[3][2]));
 	p->centre = vec_scale(vec_sub(c, shift), scale);
 	m.m[3][0] = m.m[3][1] = m.m[3][2] = 0;
 	p->from = mat_mul(&m, &place->fwd);
@@ -106,26 +102,45 @@ bool prim_make(struct prim *p, const struct object *o, const struct xform *place
 			p->from.m[i][j] *= scale;
 		p->from.m[3][i] = 0;
 	}
-	if (!finite_mat(&p->from) || !vec_finite(p->centre) || !mat_invert(&p->from, &p->to) ||
-	    !isfinite(p->a) || !isfinite(p->b) || !vec_finite(p->half))
+	return finite_mat(&p->from) && vec_finite(p->centre) && mat_invert(&p->from, &p->to);
+}
+
+bool prim_side(const struct prim *p, unsigned k, double down, double up, double size, double pad,
+	       ald_box *box)
+{
+	double mid = (&p->centre.x)[k];
+	double grow = pad + prim_map_error(&p->to, &p->from, k, size + fabs(mid)) +
+		      8 * ALD_U * (fabs(up) + fabs(down) + fabs(mid));
+
+	if (!isfinite(up) || !isfinite(down))
+		return false;
+	(&box->lo.x)[k] = mid - (down + grow);
+	(&box->hi.x)[k] = mid + (up + grow);
+	return true;
+}
+
+bool prim_make(struct prim *p, const struct object *o, const struct xform *place, vec shift,
+	       double scale, double size, double pad)
+{
+	struct mat m;
+
+	*p = (struct prim){ .kind = o->kind };
+	m = canonical(p, o);
+	if (!prim_frame(p, &m, place, shift, scale) || !isfinite(p->a) || !isfinite(p->b) ||
+	    !vec_finite(p->half))
 		return false;
 	for (unsigned k = 0; k < 3; k++) {
-		double mid = (&p->centre.x)[k];
 		double up = ops_of(p)->reach(p, k, true), down = ops_of(p)->reach(p, k, false);
-		double grow = pad + prim_map_error(&p->to, &p->from, k, size + fabs(mid)) +
-			      8 * ALD_U * (fabs(up) + fabs(down) + fabs(mid));
 
-		if (!isfinite(up) || !isfinite(down))
+		if (!prim_side(p, k, down, up, size, pad, &p->box))
 			return false;
-		(&p->box.lo.x)[k] = mid - (down + grow);
-		(&p->box.hi.x)[k] = mid + (up + grow);
 	}
 	return true;
 }
 
 /* Hold t within the slabs of the box, by the same steps as ald_box_ray() without pads: then no
  * accelerator can have culled what it finds (R3). */
-static double clamp_to_box(const ald_ray *r, const ald_box *b, double t)
+double prim_clamp(const ald_ray *r, const ald_box *b, double t)
 {
 	double t0 = -ALD_INF, t1 = ALD_INF;
 
@@ -140,17 +155,28 @@ static double clamp_to_box(const ald_ray *r, const ald_box *b, double t)
 	return t < t0 ? t0 : t;
 }
 
+bool prim_line(const struct prim *p, const ald_ray *r, struct prim_line *l)
+{
+	vec o = mat_dir(&p->to, vec_sub(r->org, p->centre));
+	double dd;
+
+	l->d = mat_dir(&p->to, r->dir);
+	dd = vec_dot(l->d, l->d);
+	l->slide = -vec_dot(o, l->d) / dd;
+	l->o = vec_mad(o, l->d, l->slide);
+	return dd > 0 && isfinite(l->slide);
+}
+
 int prim_intersect(const struct prim *p, uint32_t id, const ald_ray *r, ald_hit *hit)
 {
-	vec o = mat_dir(&p->to, vec_sub(r->org, p->centre)), d = mat_dir(&p->to, r->dir);
-	double dd = vec_dot(d, d), slide = -vec_dot(o, d) / dd;
 	struct prim_roots roots = { .count = 0 };
+	struct prim_line l;
 
-	if (!(dd > 0) || !isfinite(slide))
+	if (!prim_line(p, r, &l))
 		return 0;
-	ops_of(p)->roots(p, vec_mad(o, d, slide), d, &roots);
+	ops_of(p)->roots(p, l.o, l.d, &roots);
 	for (uint32_t i = 0; i < roots.count; i++) {
-		double t = clamp_to_box(r, &p->box, slide + roots.t[i]);
+		double t = prim_clamp(r, &p->box, l.slide + roots.t[i]);
 
 		if (!isfinite(t) || !ald_counts(r, t, id, hit))
 			continue;
@@ -160,23 +186,17 @@ int prim_intersect(const struct prim *p, uint32_t id, const ald_ray *r, ald_hit 
 	return 0;
 }
 
-void prim_surface(const struct prim *p, const ald_ray *r, const ald_hit *hit, vec *at, vec *n,
-		  double *error)
+void prim_leave(const struct prim *p, const struct prim_point *s, vec *at, vec *n, double *error)
 {
-	vec o = mat_dir(&p->to, vec_sub(r->org, p->centre)), d = mat_dir(&p->to, r->dir);
-	double slide = -vec_dot(o, d) / vec_dot(d, d), far, l;
-	struct prim_point s;
-	vec off;
+	vec off = mat_dir(&p->from, s->p);
+	double far = 1, l;
 
-	ops_of(p)->surface(p, vec_mad(vec_mad(o, d, slide), d, hit->t - slide), hit->part, &s);
-	off = mat_dir(&p->from, s.p);
 	*at = vec_add(p->centre, off);
-	*n = mat_normal(&p->to, s.n);
+	*n = mat_normal(&p->to, s->n);
 	l = vec_length(*n);
 	*n = vec_scale(*n, 1 / l);
 	/* Own coordinates of a ray that starts here are off by a few u of these sizes; 1/l is what one
 	 * own unit along the normal is in level units. */
-	far = 1;
 	for (unsigned j = 0; j < 3; j++) {
 		for (unsigned i = 0; i < 3; i++)
 			far += fabs((&off.x)[i] * p->to.m[i][j]);
@@ -184,6 +204,17 @@ void prim_surface(const struct prim *p, const ald_ray *r, const ald_hit *hit, ve
 	*error = 256 * ALD_U * far / l +
 		 8 * ALD_U * (fabs(at->x) + fabs(at->y) + fabs(at->z) + fabs(p->centre.x) +
 			      fabs(p->centre.y) + fabs(p->centre.z));
+}
+
+void prim_surface(const struct prim *p, const ald_ray *r, const ald_hit *hit, vec *at, vec *n,
+		  double *error)
+{
+	struct prim_point s;
+	struct prim_line l;
+
+	prim_line(p, r, &l);
+	ops_of(p)->surface(p, vec_mad(l.o, l.d, hit->t - l.slide), hit->part, &s);
+	prim_leave(p, &s, at, n, error);
 }
 
 bool prim_inside(const struct prim *p, vec at)

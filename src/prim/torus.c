@@ -10,6 +10,7 @@
  * from the polynomial, which cancels, but from its factors (rho - 1)^2 + y^2 - a^2 and
  * (rho + 1)^2 + y^2 - a^2 with rho^2 = x^2 + z^2; the second vanishes inside spindle tori only.
  */
+#include "prim/poly.h"
 #include "prim/prim.h"
 
 struct line {
@@ -24,54 +25,20 @@ static double length(double x, double y)
 	return sqrt(x * x + y * y);
 }
 
-static double surface(const struct line *l, double s)
+static double surface(const void *line, double s)
 {
+	const struct line *l = line;
 	vec q = vec_mad(l->o, l->d, s);
 	double rho = sqrt(q.x * q.x + q.z * q.z);
 
 	return (length(rho - 1, q.y) - l->a) * (length(rho + 1, q.y) - l->a);
 }
 
-static double slope(const struct line *l, double s)
+static double slope(const void *line, double s)
 {
+	const struct line *l = line;
+
 	return (4 * s * s + 2 * l->c2) * s + l->c1;
-}
-
-/* The root of f in [x, y], where f(x) and f(y) have opposite signs or one is 0: regula falsi with the
- * Illinois rule, and a bisection whenever that is slow, to the last bits of a unit. */
-static double refine(double (*f)(const struct line *, double), const struct line *l, double x, double fx,
-		     double y, double fy)
-{
-	int kept = 0; /* which end moved last: 1 y, -1 x */
-
-	if (fx == 0)
-		return x;
-	if (fy == 0)
-		return y;
-	for (unsigned i = 0; i < 200 && fabs(y - x) > 2 * ALD_U * (1 + fmax(fabs(x), fabs(y))); i++) {
-		double m = x + (y - x) / 2, n = x - fx * ((y - x) / (fy - fx)), fm;
-		int now;
-
-		if (i % 4 != 3 && (n > x) != (n > y))
-			m = n;
-		if (m == x || m == y)
-			break;
-		fm = f(l, m);
-		if (fm == 0)
-			return m;
-		now = (fm < 0) == (fy < 0) ? 1 : -1;
-		if (now > 0) {
-			y = m;
-			fy = fm;
-			fx /= kept == now ? 2 : 1;
-		} else {
-			x = m;
-			fx = fm;
-			fy /= kept == now ? 2 : 1;
-		}
-		kept = now;
-	}
-	return fabs(fx) < fabs(fy) ? x : y;
 }
 
 /* Points of [-h, h] between which f is monotone, ends included; how many. */
@@ -96,7 +63,7 @@ static unsigned pieces(const struct line *l, double h, double at[5])
 		double y = cut[i], fy = slope(l, y);
 
 		if ((fx < 0) != (fy < 0))
-			at[n++] = refine(slope, l, x, fx, y, fy);
+			at[n++] = poly_refine(slope, l, x, fx, y, fy);
 		x = y;
 		fx = fy;
 	}
@@ -123,7 +90,7 @@ static void torus_roots(const struct prim *p, vec o, vec d, struct prim_roots *o
 		fy = surface(&l, y);
 		if ((fx < 0) != (fy < 0)) {
 			out->part[out->count] = 0;
-			out->t[out->count++] = refine(surface, &l, x, fx, y, fy) / len;
+			out->t[out->count++] = poly_refine(surface, &l, x, fx, y, fy) / len;
 		}
 		x = y;
 		fx = fy;

@@ -28,6 +28,7 @@ src_libalidade_la_SOURCES += \
 	src/read/pov/settings.c \
 	src/read/pov/source.c \
 	src/read/pov/string.c \
+	src/read/pov/sweep.c \
 	src/read/pov/texture.c \
 	src/read/pov/token.c \
 	src/read/pov/use.c \

@@ -246,6 +246,9 @@ static void dump_shape(const struct object *o, FILE *to)
 		put_word(to, "torus", o->shape.torus.major);
 		put_word(to, "minor", o->shape.torus.minor);
 		break;
+	case SHAPE_SWEEP:
+		fprintf(to, " sweep %u", o->shape.sweep);
+		break;
 	default:
 		fputs(" union", to);
 	}

@@ -39,6 +39,7 @@ void scene_release(struct scene *s)
 	mem_free(s->texture);
 	mem_free(s->interior);
 	mem_free(s->mesh);
+	mem_free(s->sweep);
 	mem_free(s->object);
 	arena_release(&s->arena);
 }
@@ -111,6 +112,20 @@ uint32_t scene_add_mesh(struct scene *s)
 	uint32_t i = grow(s, &p, &s->mesh_count, &s->mesh_room, sizeof(*s->mesh));
 
 	s->mesh = p;
+	return i;
+}
+
+uint32_t scene_add_sweep(struct scene *s, uint32_t points)
+{
+	void *point = arena_zalloc(&s->arena, mem_product(points, sizeof(*s->sweep->point))), *p = s->sweep;
+	uint32_t i;
+
+	if (!point)
+		return SCENE_NONE;
+	i = grow(s, &p, &s->sweep_count, &s->sweep_room, sizeof(*s->sweep));
+	s->sweep = p;
+	if (i != SCENE_NONE)
+		s->sweep[i] = (struct sweep){ .count = points, .point = point };
 	return i;
 }
 
@@ -230,6 +245,10 @@ static uint64_t hash_shapes(uint64_t h, const struct scene *s)
 {
 	for (uint32_t i = 0; i < s->mesh_count; i++)
 		h = hash_mesh(h, &s->mesh[i]);
+	for (uint32_t i = 0; i < s->sweep_count; i++) {
+		h = HASH(h, s->sweep[i].kind);
+		h = hash_words(h, s->sweep[i].point, s->sweep[i].count * sizeof(*s->sweep[i].point));
+	}
 	for (uint32_t i = 0; i < s->object_count; i++)
 		h = hash_object(h, &s->object[i]);
 	return h;

@@ -102,6 +102,16 @@ struct mesh {
 	struct diag_pos pos;
 };
 
+enum sweep_kind { SWEEP_LINEAR, SWEEP_B, SWEEP_CUBIC };
+
+/* A ball swept along a spline of these points (centre and radius): linear ones go through all of them, the
+ * others lack a piece at either end. */
+struct sweep {
+	enum sweep_kind kind;
+	uint32_t count; /* at least 2, or 4 */
+	double (*point)[4]; /* x, y, z, radius; in the arena */
+};
+
 enum shape_kind {
 	SHAPE_MESH,
 	SHAPE_SPHERE,
@@ -110,6 +120,7 @@ enum shape_kind {
 	SHAPE_PLANE,
 	SHAPE_DISC,
 	SHAPE_TORUS,
+	SHAPE_SWEEP,
 	SHAPE_UNION,
 	SHAPE_KINDS
 };
@@ -136,7 +147,7 @@ struct object {
 	unsigned flags; /* enum object_flag; a parent's are added */
 	uint32_t first_child, next_sibling; /* unions; SCENE_NONE ends */
 	union {
-		uint32_t mesh;
+		uint32_t mesh, sweep;
 		struct {
 			vec centre;
 			double radius;
@@ -193,6 +204,8 @@ struct scene {
 	struct picture *picture; /* pixels by mem_alloc */
 	uint32_t mesh_count, mesh_room;
 	struct mesh *mesh; /* arrays by mem_alloc */
+	uint32_t sweep_count, sweep_room;
+	struct sweep *sweep;
 	uint32_t object_count, object_room;
 	struct object *object; /* the whole forest */
 	uint32_t first_root, last_root; /* chained by next_sibling in the order of the file */
@@ -209,6 +222,7 @@ uint32_t scene_add_texture(struct scene *, uint32_t layers);
 uint32_t scene_add_interior(struct scene *);
 uint32_t scene_add_picture(struct scene *);
 uint32_t scene_add_mesh(struct scene *);
+uint32_t scene_add_sweep(struct scene *, uint32_t points);
 uint32_t scene_add_object(struct scene *);
 /* Put object o at the end of the roots. */
 void scene_add_root(struct scene *, uint32_t o);

@@ -135,6 +135,8 @@ struct pov_object *pov_read_light(struct pov *);
 struct pov_object *pov_read_mesh(struct pov *, const struct diag_pos *at);
 struct pov_object *pov_read_mesh2(struct pov *, const struct diag_pos *at);
 struct pov_object *pov_read_triangle(struct pov *, const struct diag_pos *at, bool smooth);
+/* The numbers of shapes that have a file of their own. */
+void pov_read_sweep(struct pov *, struct object *);
 /* Any object; not one: NULL and nothing read, or after an error. */
 struct pov_object *pov_read_object(struct pov *);
 bool pov_starts_object(struct pov *);

@@ -145,6 +145,7 @@ static const struct shape_word {
 	{ TOK_PLANE, SHAPE_PLANE, read_plane },
 	{ TOK_DISC, SHAPE_DISC, read_disc },
 	{ TOK_TORUS, SHAPE_TORUS, read_torus },
+	{ TOK_SPHERE_SWEEP, SHAPE_SWEEP, pov_read_sweep },
 	{ TOK_BICUBIC_PATCH, SHAPE_UNION, NULL },
 	{ TOK_BLOB, SHAPE_UNION, NULL },
 	{ TOK_CUBIC, SHAPE_UNION, NULL },
@@ -165,7 +166,6 @@ static const struct shape_word {
 	{ TOK_QUADRIC, SHAPE_UNION, NULL },
 	{ TOK_QUARTIC, SHAPE_UNION, NULL },
 	{ TOK_SOR, SHAPE_UNION, NULL },
-	{ TOK_SPHERE_SWEEP, SHAPE_UNION, NULL },
 	{ TOK_SUPERELLIPSOID, SHAPE_UNION, NULL },
 	{ TOK_TEXT, SHAPE_UNION, NULL },
 };

@@ -169,7 +169,7 @@ static void stretch(struct span *out, double a, double h, double u)
 /* The stationary points strictly between u0 and u1. */
 static void stretch_between(const struct seen *whole, double u0, double u1, struct span *out)
 {
-	double h[7], dh[6], da[3], aa[5], p[11], q[11], root[POLY_DEGREE];
+	double h[7], dh[6], da[3], aa[5], p[11], q[11], root[2 * POLY_DEGREE];
 	struct seen s = *whole;
 	unsigned n = s.n, roots;
 
@@ -187,6 +187,9 @@ static void stretch_between(const struct seen *whole, double u0, double u1, stru
 	for (unsigned i = 0; i <= 4 * n - 2; i++)
 		p[i] = 4 * p[i] - q[i];
 	roots = poly_roots(p, 4 * n - 2, 0, 1, root);
+	/* Where the curve runs across the line, a' is 0 and the two roots are one without a change of sign,
+	 * at h' = 0. Where a' is nearly 0 that is as good a place as the true ones. */
+	roots += poly_roots(dh, 2 * n - 1, 0, 1, root + roots);
 	for (unsigned i = 0; i < roots; i++)
 		stretch(out, poly_value(s.a, n, root[i]), seen_h(&s, root[i]), u0 + root[i] * (u1 - u0));
 }

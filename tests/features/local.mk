@@ -42,6 +42,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/soft-focus.pov \
 	tests/features/solids.pov \
 	tests/features/spot.pov \
+	tests/features/sweeps.pov \
 	tests/features/terminator.pov \
 	tests/features/union-glass.pov \
 	tests/features/union.pov \
@@ -87,6 +88,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/soft-focus.exr \
 	tests/features/solids.exr \
 	tests/features/spot.exr \
+	tests/features/sweeps.exr \
 	tests/features/terminator.exr \
 	tests/features/union-glass.exr \
 	tests/features/union.exr \

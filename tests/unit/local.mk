@@ -66,6 +66,14 @@ TESTS += tests/unit/test_trace tests/unit/test_kernel tests/unit/test_prim tests
 endif
 
 if HAVE_CMOCKA
+check_PROGRAMS += tests/unit/test_body
+tests_unit_test_body_SOURCES = tests/unit/test_body.c tests/unit/world_fixture.h
+tests_unit_test_body_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_body_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_body
+endif
+
+if HAVE_CMOCKA
 check_PROGRAMS += tests/unit/test_shade
 tests_unit_test_shade_SOURCES = tests/unit/test_shade.c
 tests_unit_test_shade_CPPFLAGS = $(UNIT_CPPFLAGS)

@@ -1,0 +1,221 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Bodies (sphere sweeps, blobs): one closed surface, whatever pieces it is made of, at every scale.
+ */
+#include "prim/body.h"
+
+#include "world_fixture.h"
+
+struct kind {
+	const char *name;
+	enum sweep_kind sweep;
+	uint32_t points;
+	double radius;
+	bool straight; /* all points on one line, as hairs often are */
+};
+
+static const struct kind kinds[] = {
+	{ "linear", SWEEP_LINEAR, 6, 0.2, false },    { "b", SWEEP_B, 8, 0.3, false },
+	{ "cubic", SWEEP_CUBIC, 7, 0.25, false },     { "thin linear", SWEEP_LINEAR, 9, 1e-3, false },
+	{ "thin cubic", SWEEP_CUBIC, 6, 1e-3, false }, { "thin b", SWEEP_B, 6, 1e-5, false },
+	{ "hair", SWEEP_LINEAR, 4, 2e-3, true },      { "straight cubic", SWEEP_CUBIC, 5, 0.1, true },
+};
+#define KINDS (sizeof(kinds) / sizeof(kinds[0]))
+
+static void add_sweep(struct world *w, const struct kind *k, double size, vec shift, uint64_t *seed)
+{
+	struct object *o = add(w, SHAPE_SWEEP);
+	uint32_t i = scene_add_sweep(&w->scene, k->points);
+	struct sweep *s = &w->scene.sweep[i];
+
+	s->kind = k->sweep;
+	o->shape.sweep = i;
+	for (uint32_t n = 0; n < k->points; n++) {
+		vec c = k->straight ? vec_make(0.3, 0.25 * n, -0.1) : random_vec(seed);
+
+		c = vec_add(vec_scale(c, size), shift);
+		s->point[n][0] = c.x;
+		s->point[n][1] = c.y;
+		s->point[n][2] = c.z;
+		s->point[n][3] = size * k->radius * (k->straight ? 1 : 0.5 + uniform(seed));
+	}
+}
+
+/* A point that the sweep surely covers: somewhere in a ball on its polygon's or spline's way. */
+static vec target(const struct sweep *w, uint64_t *seed)
+{
+	uint32_t less = w->kind == SWEEP_LINEAR ? 1 : 3;
+	uint32_t i = (uint32_t)(uniform(seed) * (w->count - less));
+	double u = uniform(seed), f[4] = { 1 - u, u, 0, 0 }, c[4] = { 0, 0, 0, 0 };
+
+	if (uniform(seed) < 0.2)
+		u = 0; /* where pieces meet */
+	if (w->kind == SWEEP_CUBIC) {
+		f[0] = ((2 - u) * u - 1) * u / 2;
+		f[1] = ((3 * u - 5) * u * u + 2) / 2;
+		f[2] = ((4 - 3 * u) * u + 1) * u / 2;
+		f[3] = (u - 1) * u * u / 2;
+	} else if (w->kind == SWEEP_B) {
+		f[0] = (1 - u) * (1 - u) * (1 - u) / 6;
+		f[1] = (3 * u * u * u - 6 * u * u + 4) / 6;
+		f[2] = (((3 - 3 * u) * u + 3) * u + 1) / 6;
+		f[3] = u * u * u / 6;
+	} else if (u == 0) {
+		f[0] = 1, f[1] = 0;
+	}
+	for (unsigned k = 0; k < 4; k++) {
+		for (unsigned j = 0; j < (less == 1 ? 2 : 4); j++)
+			c[k] += f[j] * w->point[i + j][k];
+	}
+	return vec_mad(vec_make(c[0], c[1], c[2]), random_unit(seed), 0.99 * fabs(c[3]) * uniform(seed));
+}
+
+static bool within(struct world *w, vec p)
+{
+	struct solid s[4];
+
+	return geometry_inside(w->g, p, s, 4) > 0;
+}
+
+/* Along a line, hits part what is inside from what is not: never two ways in in a row, and none is lost. */
+static void lines_go_in_and_out(struct world *w, vec to, double size, uint64_t *seed)
+{
+	vec d = uniform(seed) < 0.2 ? vec_make(0, 0, 1) : random_unit(seed); /* across straight ones */
+	ald_ray r = ray(vec_mad(to, d, -8 * size), d);
+	double last = 0;
+	bool in = false, seen = false;
+	ald_hit h;
+
+	for (unsigned n = 0; n < 40; n++) {
+		struct surface s;
+		double mid;
+
+		h = nearest(w, &r);
+		if (h.prim == ALD_NONE)
+			break;
+		mid = last + (h.t - last) / 2;
+		if (h.t - last > 1e-7 * size)
+			assert_int_equal(within(w, vec_mad(r.org, d, mid)), in);
+		surface_at(w->g, &r, &h, &s);
+		assert_true(fabs(vec_length(s.n) - 1) < 1e-12);
+		/* The normal says the same; but for rounding where the line only touches. */
+		if (fabs(vec_dot(s.n, d)) > 1e-5)
+			assert_int_equal(vec_dot(s.n, d) > 0, in);
+		if (last < 8 * size && h.t > 8 * size)
+			seen = in;
+		last = h.t;
+		in = !in;
+		trace_after(&r, &h);
+	}
+	assert_false(in);
+	assert_true(seen);
+}
+
+static void sweeps_are_closed(void **state)
+{
+	uint64_t seed = 5;
+
+	(void)state;
+	for (unsigned n = 0; n < KINDS * 4; n++) {
+		double size = pow(10, 4.0 * (n / KINDS) - 6);
+		struct world w;
+
+		begin(&w);
+		add_sweep(&w, &kinds[n % KINDS], size, vec_make(0, 0, 0), &seed);
+		build(&w);
+		for (unsigned i = 0; i < 1500; i++)
+			lines_go_in_and_out(&w, target(&w.scene.sweep[0], &seed), size, &seed);
+		end(&w);
+	}
+}
+
+/* How far p is from the union of all balls, by brute force. */
+static double outside(const struct sweep *w, vec p)
+{
+	double least = ALD_INF;
+
+	for (uint32_t i = 0; i + 1 < w->count; i++) {
+		const double *a = w->point[i], *b = w->point[i + 1];
+		vec q = vec_sub(p, vec_make(a[0], a[1], a[2]));
+		vec e = vec_sub(vec_make(b[0], b[1], b[2]), vec_make(a[0], a[1], a[2]));
+
+		for (unsigned k = 0; k <= 20000; k++) {
+			double u = k / 20000.0;
+
+			least = fmin(least, vec_length(vec_mad(q, e, -u)) - (a[3] + u * (b[3] - a[3])));
+		}
+	}
+	return least;
+}
+
+static void hits_lie_on_the_surface(void **state)
+{
+	uint64_t seed = 6;
+	struct world w;
+
+	(void)state;
+	begin(&w);
+	add_sweep(&w, &kinds[0], 1, vec_make(0, 0, 0), &seed);
+	build(&w);
+	for (unsigned i = 0; i < 300; i++) {
+		vec to = target(&w.scene.sweep[0], &seed);
+		ald_ray r = ray(vec_mad(to, random_unit(&seed), 5), to);
+		struct surface s;
+		ald_hit h;
+
+		r.dir = vec_sub(to, r.org);
+		h = nearest(&w, &r);
+		assert_true(h.prim != ALD_NONE);
+		surface_at(w.g, &r, &h, &s);
+		assert_true(fabs(outside(&w.scene.sweep[0], s.p)) < 1e-8);
+		assert_true(fabs(outside(&w.scene.sweep[0], vec_mad(r.org, r.dir, h.t))) < 1e-8);
+	}
+	end(&w);
+}
+
+/* A ray that starts on the surface, moved off it by the error bound, does not meet it there again. */
+static void secondary_rays_leave(void **state)
+{
+	uint64_t seed = 7;
+
+	(void)state;
+	for (unsigned n = 0; n < KINDS * 5; n++) {
+		double size = pow(10, 3.0 * (n / KINDS) - 6), far = n % 3 == 2 ? 100 * size : 0;
+		const struct kind *k = &kinds[n % KINDS];
+		struct world w;
+
+		begin(&w);
+		add_sweep(&w, k, size, vec_make(far, -far, far / 2), &seed);
+		build(&w);
+		for (unsigned i = 0; i < 2000; i++) {
+			vec to = target(&w.scene.sweep[0], &seed);
+			ald_ray r = ray(vec_mad(to, random_unit(&seed), 4 * size), to);
+			struct surface s;
+			ald_hit h;
+
+			r.dir = vec_sub(to, r.org);
+			h = nearest(&w, &r);
+			if (h.prim == ALD_NONE)
+				continue;
+			surface_at(w.g, &r, &h, &s);
+			r = ray(vec_mad(s.p, s.n, surface_error(w.g, &r, &h, &s)), random_unit(&seed));
+			if (vec_dot(r.dir, s.n) < 0)
+				r.dir = vec_neg(r.dir);
+			h = nearest(&w, &r);
+			assert_true(h.prim == ALD_NONE || h.t > 1e-6 * size * k->radius);
+		}
+		end(&w);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(sweeps_are_closed),
+		cmocka_unit_test(hits_lie_on_the_surface),
+		cmocka_unit_test(secondary_rays_leave),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -47,6 +47,19 @@ static struct xform some_place(uint64_t *seed, unsigned kind, double size)
 	return xform_mul(&x, &y);
 }
 
+static uint32_t some_sweep(struct world *w, enum sweep_kind kind, uint64_t *seed)
+{
+	uint32_t i = scene_add_sweep(&w->scene, 6);
+
+	w->scene.sweep[i].kind = kind;
+	for (unsigned n = 0; n < 6; n++) {
+		for (unsigned k = 0; k < 3; k++)
+			w->scene.sweep[i].point[n][k] = signed_uniform(seed);
+		w->scene.sweep[i].point[n][3] = 0.3 * uniform(seed);
+	}
+	return i;
+}
+
 static void crowd(struct world *w, double size)
 {
 	uint64_t seed = 11;
@@ -56,7 +69,7 @@ static void crowd(struct world *w, double size)
 	shell_sphere(&shell, 6, 1000, 0.2, &seed);
 	shared = shell_mesh(w);
 	once = shell_mesh(w);
-	for (unsigned i = 0; i < 40; i++) {
+	for (unsigned i = 0; i < 56; i++) {
 		enum shape_kind kind = (enum shape_kind)(i % SHAPE_UNION);
 		struct object *o = add(w, kind);
 
@@ -64,7 +77,7 @@ static void crowd(struct world *w, double size)
 		o->place = i & 8 ? o[-8].place : some_place(&seed, i, size);
 		o->flags = i % 7 == 3 ? OBJECT_NO_IMAGE : i % 7 == 5 ? OBJECT_NO_SHADOW : 0;
 		if (kind == SHAPE_MESH)
-			o->shape.mesh = i == 28 ? once : shared;
+			o->shape.mesh = i == 32 ? once : shared;
 		else if (kind == SHAPE_SPHERE)
 			o->shape.sphere.radius = 1;
 		else if (kind == SHAPE_BOX)
@@ -80,6 +93,8 @@ static void crowd(struct world *w, double size)
 			o->shape.cone.base_radius = 1;
 			o->shape.cone.open = i & 16;
 		}
+		if (kind == SHAPE_SWEEP)
+			o->shape.sweep = some_sweep(w, i & 16 ? SWEEP_CUBIC : SWEEP_LINEAR, &seed);
 		if (kind == SHAPE_DISC) {
 			o->shape.disc.normal = vec_make(0, 1, 0);
 			o->shape.disc.radius = 1;

@@ -21,7 +21,7 @@ enum {
 /* A test holds these against read_limit_table. */
 #define LIMIT_WORDS \
 	"nesting= macro_depth= include_depth= loop_steps= string_bytes= tokens= elements= objects= " \
-	"memory= seconds="
+	"texture_pixels= texture_bytes= memory= seconds="
 
 static const struct option_spec alidade_option[] = {
 	{ "output", 'o', OPTION_ARG, "FILE", COMPLETE_FILE, NULL,
@@ -78,7 +78,7 @@ static const struct option_spec alidade_option[] = {
 	  "warn about what is not supported and render the rest", NULL },
 	{ "limit", KEY_LIMIT, OPTION_ARG, "NAME=N", COMPLETE_WORDS, LIMIT_WORDS,
 	  "change what a scene file may ask for: nesting, macro_depth, include_depth, loop_steps, "
-	  "string_bytes, tokens, elements, objects, memory, seconds",
+	  "string_bytes, tokens, elements, objects, texture_pixels, texture_bytes, memory, seconds",
 	  NULL },
 	{ "dry-run", KEY_DRY_RUN, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
 	  "read the scene and build its structure, say what they require, and render nothing; with -v "

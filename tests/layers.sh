@@ -13,7 +13,7 @@ include
 src/base	include
 src/scene	base include
 src/pattern	base scene include
-src/read	base scene pattern include
+src/read	base scene pattern image include
 src/prim	base scene include
 src/accel	base scene prim include
 src/shade	base scene pattern accel/trace.h include

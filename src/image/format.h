@@ -22,6 +22,10 @@ struct image_in {
 	struct diag *diag;
 };
 
+/* Open a file and read its first two bytes; on failure too, image_in_close() takes it down. */
+enum status image_in_open(struct image_in *, const char *path);
+void image_in_close(struct image_in *);
+
 /* A picture and where it goes. */
 struct image_job {
 	const struct image *image;
@@ -38,6 +42,14 @@ enum status pfm_read(struct image *, struct image_in *);
 enum status png_read(struct image *, struct image_in *);
 enum status exr_read(struct image *, struct image_in *);
 enum status oiio_read(struct image *, struct image_in *, const char *path);
+
+struct image_raw; /* raw.h */
+enum status pnm_read_raw(struct image_raw *, struct image_in *);
+enum status png_read_raw(struct image_raw *, struct image_in *);
+enum status jpeg_read_raw(struct image_raw *, struct image_in *);
+enum status oiio_read_raw(struct image_raw *, struct image_in *, const char *path);
+/* channels and depth are set: sets the size, checks it against the limits and takes memory. */
+enum status image_raw_take(struct image_raw *, struct image_in *, uint64_t width, uint64_t height);
 
 enum status pnm_write(const struct image_job *);
 enum status pfm_write(const struct image_job *);

@@ -235,7 +235,7 @@ enum status image_truncated(struct image_in *in)
 		"the picture's file ends before its last pixel: it is damaged or was cut short");
 }
 
-static enum status open_in(struct image_in *in, const char *path)
+enum status image_in_open(struct image_in *in, const char *path)
 {
 	struct stat st;
 
@@ -261,6 +261,13 @@ static enum status open_in(struct image_in *in, const char *path)
 	return STATUS_OK;
 }
 
+void image_in_close(struct image_in *in)
+{
+	if (in->file && in->file != stdin)
+		fclose(in->file);
+	in->file = NULL;
+}
+
 enum status image_read(struct image *im, const char *path, struct mem_book *book,
 		       const struct image_limits *limits, struct diag *diag)
 {
@@ -270,7 +277,7 @@ enum status image_read(struct image *im, const char *path, struct mem_book *book
 	memset(im, 0, sizeof(*im));
 	if (limits)
 		in.limits = *limits;
-	st = open_in(&in, path);
+	st = image_in_open(&in, path);
 	if (st)
 		;
 	else if (!memcmp(in.magic, "P5", 2) || !memcmp(in.magic, "P6", 2))
@@ -283,8 +290,7 @@ enum status image_read(struct image *im, const char *path, struct mem_book *book
 		st = exr_read(im, &in);
 	else
 		st = oiio_read(im, &in, path);
-	if (in.file && in.file != stdin)
-		fclose(in.file);
+	image_in_close(&in);
 	if (st)
 		image_release(im);
 	return st;

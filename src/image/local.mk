@@ -3,8 +3,10 @@ src_libalidade_la_SOURCES += \
 	src/image/diff.c src/image/diff.h src/image/diff_report.c \
 	src/image/format.h src/image/image.c src/image/image.h \
 	src/image/oiio.c src/image/oiio/io_oiio.h \
+	src/image/jpeg.c \
 	src/image/out.c src/image/out.h \
-	src/image/png.c src/image/pnm.c src/image/samples.c
+	src/image/png.c src/image/png_in.h src/image/png_raw.c src/image/pnm.c \
+	src/image/raw.c src/image/raw.h src/image/samples.c
 
 # The one piece of C++: never linked to the library, see io_oiio.h.
 if HAVE_OIIO

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "image/oiio/io_oiio.h"
+#include "image/raw.h"
 
 #define FILE_NAME "io_oiio.so"
 
@@ -127,6 +128,55 @@ enum status oiio_read(struct image *im, struct image_in *in, const char *path)
 	default:
 		return diag_fail(in->diag, STATUS_SCENE, &in->pos, "cannot read the picture: %s",
 				 error);
+	}
+}
+
+struct raw_taking {
+	struct image_raw *raw;
+	struct image_in *in;
+	enum status status;
+};
+
+static void *take_raw(void *arg, const struct io_oiio_raw *h)
+{
+	static const char *const word[][2] = {
+		{ "targa", "tga" }, { "gif", "gif" },	    { "bmp", "bmp" },  { "tiff", "tiff" },
+		{ "hdr", "hdr" },   { "openexr", "exr" },   { "iff", "iff" },  { "jpeg", "jpeg" },
+	};
+	struct raw_taking *t = arg;
+	struct image_raw *raw = t->raw;
+
+	for (size_t i = 0; i < sizeof(word) / sizeof(*word); i++) {
+		if (!strcmp(h->format, word[i][0]))
+			raw->format = word[i][1];
+	}
+	raw->channels = h->channels;
+	raw->depth = h->bits == 8 ? IMAGE_8 : h->bits == 16 ? IMAGE_16 : IMAGE_FLOAT;
+	raw->stated = h->linear && raw->depth == IMAGE_FLOAT;
+	raw->curve = raw->stated			 ? IMAGE_CURVE_POWER :
+		     !strcmp(raw->format, "tiff") ? IMAGE_CURVE_NONE :
+						    IMAGE_CURVE_SRGB;
+	raw->gamma = 1;
+	raw->premultiplied = h->premultiplied;
+	t->status = image_raw_take(raw, t->in, h->width, h->height);
+	return raw->sample;
+}
+
+enum status oiio_read_raw(struct image_raw *raw, struct image_in *in, const char *path)
+{
+	struct raw_taking t = { raw, in, STATUS_OK };
+	const struct io_oiio *io = load(&in->pos, STATUS_SCENE, in->diag);
+	char error[512];
+
+	if (!io)
+		return STATUS_SCENE;
+	switch (io->read_raw(path, take_raw, &t, error, sizeof(error))) {
+	case 0:
+		return STATUS_OK;
+	case 2:
+		return t.status;
+	default:
+		return diag_fail(in->diag, STATUS_SCENE, &in->pos, "cannot read the picture: %s", error);
 	}
 }
 

@@ -5,22 +5,16 @@
  * notes as tEXt, or iTXt where they are not ASCII; never the time, so that the same picture gives
  * the same bytes.
  */
-#include "image/format.h"
+#include "image/png_in.h"
 
 #include <math.h>
-#include <png.h>
 #include <setjmp.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* libpng leaves by longjmp; the text waits here. */
-struct trouble {
-	char text[160];
-};
-
 static void on_error(png_structp png, png_const_charp text)
 {
-	struct trouble *t = png_get_error_ptr(png);
+	struct png_trouble *t = png_get_error_ptr(png);
 
 	strncpy(t->text, text, sizeof(t->text) - 1);
 	png_longjmp(png, 1);
@@ -32,25 +26,50 @@ static void on_warning(png_structp png, png_const_charp text)
 	(void)text;
 }
 
-struct reader {
-	struct image_in *in;
-	png_structp png;
-	png_infop info;
-	bool ended; /* the file was too short */
-	struct trouble trouble;
-	unsigned char *bytes; /* the whole picture: interlaced ones come in seven passes */
-	size_t stride;
-};
-
 static void on_read(png_structp png, png_bytep data, size_t n)
 {
-	struct reader *r = png_get_io_ptr(png);
+	struct png_in *r = png_get_io_ptr(png);
 
 	if (fread(data, 1, n, r->in->file) == n)
 		return;
 	r->ended = true;
 	png_error(png, "the file ends early");
 }
+
+enum status png_in_begin(struct png_in *r)
+{
+	r->png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &r->trouble, on_error, on_warning);
+	r->info = r->png ? png_create_info_struct(r->png) : NULL;
+	return r->info ? STATUS_OK : diag_no_memory(r->in->diag, "libpng", 0);
+}
+
+void png_in_header(struct png_in *r)
+{
+	png_set_read_fn(r->png, r, on_read);
+	png_set_user_limits(r->png, 0x7fffffff, 0x7fffffff);
+	png_set_chunk_malloc_max(r->png, 4 << 20);
+	png_set_sig_bytes(r->png, 2);
+	png_read_info(r->png, r->info);
+}
+
+enum status png_in_failed(struct png_in *r)
+{
+	if (r->ended)
+		return image_truncated(r->in);
+	return diag_fail(r->in->diag, STATUS_SCENE, &r->in->pos, "this PNG picture is damaged: %s",
+			 r->trouble.text);
+}
+
+void png_in_end(struct png_in *r)
+{
+	png_destroy_read_struct(&r->png, &r->info, NULL);
+}
+
+struct reader {
+	struct png_in in;
+	unsigned char *bytes; /* the whole picture: interlaced ones come in seven passes */
+	size_t stride;
+};
 
 /* What the file says of its colours. */
 static enum image_encoding encoding_of(png_structp png, png_infop info, double *gamma)
@@ -72,34 +91,39 @@ static enum image_encoding encoding_of(png_structp png, png_infop info, double *
 
 static enum status read_header(struct reader *r, struct image *im)
 {
-	png_structp png = r->png;
+	png_structp png = r->in.png;
+	png_infop info = r->in.info;
 
-	png_set_user_limits(png, 0x7fffffff, 0x7fffffff);
-	png_set_sig_bytes(png, 2);
-	png_read_info(png, r->info);
+	png_in_header(&r->in);
 	png_set_expand(png);
 	(void)png_set_interlace_handling(png);
-	png_read_update_info(png, r->info);
-	im->bits = png_get_bit_depth(png, r->info) == 16 ? 16 : 8;
-	return image_take(im, r->in, png_get_image_width(png, r->info),
-			  png_get_image_height(png, r->info), png_get_channels(png, r->info));
+	png_read_update_info(png, info);
+	im->bits = png_get_bit_depth(png, info) == 16 ? 16 : 8;
+	return image_take(im, r->in.in, png_get_image_width(png, info),
+			  png_get_image_height(png, info), png_get_channels(png, info));
+}
+
+void png_in_rows(struct png_in *r, unsigned char *bytes, size_t stride, uint32_t height)
+{
+	int passes = png_get_interlace_type(r->png, r->info) == PNG_INTERLACE_ADAM7 ? 7 : 1;
+
+	for (int i = 0; i < passes; i++) {
+		for (uint32_t y = 0; y < height; y++)
+			png_read_row(r->png, bytes + y * stride, NULL);
+	}
+	png_read_end(r->png, NULL);
 }
 
 static enum status read_bytes(struct reader *r, const struct image *im)
 {
-	int passes = png_get_interlace_type(r->png, r->info) == PNG_INTERLACE_ADAM7 ? 7 : 1;
 	size_t size;
 
 	r->stride = (size_t)im->width * im->channels * (im->bits / 8);
 	size = mem_product(r->stride, im->height);
-	r->bytes = mem_alloc(r->in->book, "pictures", size);
+	r->bytes = mem_alloc(r->in.in->book, "pictures", size);
 	if (!r->bytes)
-		return diag_no_memory(r->in->diag, "a picture's file", size);
-	for (int i = 0; i < passes; i++) {
-		for (uint32_t y = 0; y < im->height; y++)
-			png_read_row(r->png, r->bytes + y * r->stride, NULL);
-	}
-	png_read_end(r->png, NULL);
+		return diag_no_memory(r->in.in->diag, "a picture's file", size);
+	png_in_rows(&r->in, r->bytes, r->stride, im->height);
 	return STATUS_OK;
 }
 
@@ -109,7 +133,7 @@ static void decode(const struct reader *r, struct image *im)
 	bool alpha = im->channels == 2 || im->channels == 4;
 	double gamma;
 
-	im->encoding = encoding_of(r->png, r->info, &gamma);
+	im->encoding = encoding_of(r->in.png, r->in.info, &gamma);
 	for (size_t i = 0; i < n; i++) {
 		const unsigned char *b = r->bytes + i * (im->bits / 8);
 		double v = im->bits == 16 ? (b[0] << 8 | b[1]) / 65535.0 : b[0] / 255.0;
@@ -125,29 +149,23 @@ static enum status read_guarded(struct reader *r, struct image *im)
 {
 	enum status st;
 
-	if (setjmp(png_jmpbuf(r->png))) {
-		if (r->ended)
-			return image_truncated(r->in);
-		return diag_fail(r->in->diag, STATUS_SCENE, &r->in->pos,
-				 "this PNG picture is damaged: %s", r->trouble.text);
-	}
-	png_set_read_fn(r->png, r, on_read);
+	if (setjmp(png_jmpbuf(r->in.png)))
+		return png_in_failed(&r->in);
 	st = read_header(r, im);
 	return st ? st : read_bytes(r, im);
 }
 
 enum status png_read(struct image *im, struct image_in *in)
 {
-	struct reader r = { .in = in };
-	enum status st;
+	struct reader r = { .in = { .in = in } };
+	enum status st = png_in_begin(&r.in);
 
-	r.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &r.trouble, on_error, on_warning);
-	r.info = r.png ? png_create_info_struct(r.png) : NULL;
-	st = r.info ? read_guarded(&r, im) : diag_no_memory(in->diag, "libpng", 0);
+	if (!st)
+		st = read_guarded(&r, im);
 	if (!st)
 		decode(&r, im);
 	mem_free(r.bytes);
-	png_destroy_read_struct(&r.png, &r.info, NULL);
+	png_in_end(&r.in);
 	return st;
 }
 
@@ -157,7 +175,7 @@ struct writer {
 	png_structp png;
 	png_infop info;
 	bool failed; /* the stream */
-	struct trouble trouble;
+	struct png_trouble trouble;
 	double *row;
 	unsigned char *bytes;
 	png_text *text;

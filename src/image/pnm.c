@@ -6,6 +6,7 @@
  * PFM, the same with floats of light, bottom row first; the sign of its scale tells the byte order.
  */
 #include "image/format.h"
+#include "image/raw.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -84,21 +85,64 @@ static enum status read_rows(struct image *im, struct image_in *in, double top)
 	return st;
 }
 
+static enum status read_header(struct image_in *in, uint64_t *width, uint64_t *height, uint64_t *top)
+{
+	if (!number(in, width) || !number(in, height) || !number(in, top))
+		return bad_header(in, "width, height and greatest value are expected");
+	if (!*top || *top > 65535)
+		return bad_header(in, "the greatest value must be 1 to 65535");
+	return STATUS_OK;
+}
+
 enum status pnm_read(struct image *im, struct image_in *in)
 {
 	uint64_t width, height, top;
-	enum status st;
+	enum status st = read_header(in, &width, &height, &top);
 
-	if (!number(in, &width) || !number(in, &height) || !number(in, &top))
-		return bad_header(in, "width, height and greatest value are expected");
-	if (!top || top > 65535)
-		return bad_header(in, "the greatest value must be 1 to 65535");
-	st = image_take(im, in, width, height, in->magic[1] == '5' ? 1 : 3);
+	if (!st)
+		st = image_take(im, in, width, height, in->magic[1] == '5' ? 1 : 3);
 	if (st)
 		return st;
 	im->encoding = IMAGE_SRGB;
 	im->bits = top > 255 ? 16 : 8;
 	return read_rows(im, in, (double)top);
+}
+
+/* Samples of 0 to top as the full range of their depth. */
+static void spread(struct image_raw *raw, size_t n, uint32_t top)
+{
+	uint8_t *byte = raw->sample;
+	uint16_t *word = raw->sample;
+
+	for (size_t i = 0; i < n && raw->depth == IMAGE_8 && top != 255; i++)
+		byte[i] = (uint8_t)(((byte[i] < top ? byte[i] : top) * 510 + top) / (2 * top));
+	for (size_t i = 0; i < n && raw->depth == IMAGE_16; i++) {
+		const uint8_t *b = (const uint8_t *)&word[i];
+		uint32_t v = (uint32_t)b[0] << 8 | b[1];
+
+		word[i] = (uint16_t)(((v < top ? v : top) * UINT64_C(131070) + top) / (2 * top));
+	}
+}
+
+enum status pnm_read_raw(struct image_raw *raw, struct image_in *in)
+{
+	uint64_t width, height, top;
+	enum status st = read_header(in, &width, &height, &top);
+	size_t n;
+
+	if (st)
+		return st;
+	raw->channels = in->magic[1] == '5' ? 1 : 3;
+	raw->depth = top > 255 ? IMAGE_16 : IMAGE_8;
+	raw->curve = IMAGE_CURVE_NONE;
+	st = image_raw_take(raw, in, width, height);
+	if (st)
+		return st;
+	n = (size_t)width * (size_t)height * raw->channels;
+	if (fread(raw->sample, image_depth_bytes(raw->depth), n, in->file) != n)
+		return image_truncated(in);
+	spread(raw, n, (uint32_t)top);
+	return STATUS_OK;
 }
 
 enum status pnm_write(const struct image_job *job)

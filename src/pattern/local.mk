@@ -1,4 +1,5 @@
 src_libalidade_la_SOURCES += \
+	src/pattern/image.c src/pattern/image.h \
 	src/pattern/cell_table.h src/pattern/noise_table.h \
 	src/pattern/noise.c src/pattern/noise.h \
 	src/pattern/pattern.h \

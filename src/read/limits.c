@@ -7,7 +7,7 @@
 #include <string.h>
 
 enum { NESTING, MACRO_DEPTH, INCLUDE_DEPTH, LOOP_STEPS, STRING_BYTES, TOKENS, ELEMENTS, OBJECTS,
-       MEMORY, SECONDS, LIMITS };
+       TEXTURE_PIXELS, TEXTURE_BYTES, MEMORY, SECONDS, LIMITS };
 
 const struct read_limit_row read_limit_table[] = {
 	[NESTING] = { "nesting", 500, "of braces, parentheses and #if, together" },
@@ -18,6 +18,8 @@ const struct read_limit_row read_limit_table[] = {
 	[TOKENS] = { "tokens", 4e7, "words, numbers and signs read, over one for each byte of the files" },
 	[ELEMENTS] = { "elements", 1e8, "of one list or array" },
 	[OBJECTS] = { "objects", 1e7, "in the scene" },
+	[TEXTURE_PIXELS] = { "texture_pixels", 1 << 28, "of one picture file" },
+	[TEXTURE_BYTES] = { "texture_bytes", 4294967296.0, "of all picture files together, in memory" },
 	[MEMORY] = { "memory", 1 << 29, "bytes of declared values and items" },
 	[SECONDS] = { "seconds", 0, "of reading; 0 sets no limit" },
 };
@@ -29,6 +31,7 @@ static double get(const struct read_limits *l, size_t i)
 	const double value[LIMITS] = {
 		l->nesting, l->macro_depth, l->include_depth, (double)l->loop_steps,
 		(double)l->string_bytes, (double)l->tokens, (double)l->elements, (double)l->objects,
+		(double)l->texture_pixels, (double)l->texture_bytes,
 		(double)l->memory, l->seconds
 	};
 
@@ -49,6 +52,8 @@ static void set(struct read_limits *l, size_t i, double value)
 	case TOKENS: l->tokens = n; break;
 	case ELEMENTS: l->elements = n; break;
 	case OBJECTS: l->objects = n; break;
+	case TEXTURE_PIXELS: l->texture_pixels = n; break;
+	case TEXTURE_BYTES: l->texture_bytes = n; break;
 	case MEMORY: l->memory = n; break;
 	case SECONDS: l->seconds = value; break;
 	}

@@ -11,6 +11,7 @@ src_libalidade_la_SOURCES += \
 	src/read/pov/finish.c \
 	src/read/pov/func.c \
 	src/read/pov/internal.h \
+	src/read/pov/image.c \
 	src/read/pov/interior.c \
 	src/read/pov/items.c src/read/pov/items.h \
 	src/read/pov/keywords.c src/read/pov/keywords.def src/read/pov/keywords.h \
@@ -24,6 +25,7 @@ src_libalidade_la_SOURCES += \
 	src/read/pov/object.c \
 	src/read/pov/parser.h \
 	src/read/pov/pov.c \
+	src/read/pov/picture.c src/read/pov/picture.h \
 	src/read/pov/scan.c src/read/pov/scan.h \
 	src/read/pov/settings.c \
 	src/read/pov/source.c \

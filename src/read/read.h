@@ -23,6 +23,8 @@ struct read_limits {
 	uint64_t tokens; /* read in all, macro bodies and loops again each time */
 	uint64_t elements; /* of one list or array */
 	uint64_t objects;
+	uint64_t texture_pixels; /* of one picture file */
+	uint64_t texture_bytes; /* of all picture files together, as they are kept */
 	uint64_t memory; /* bytes of declared values and items; meshes have their own limit, the book */
 	double seconds; /* of reading; 0: none */
 };

@@ -31,8 +31,8 @@ void scene_release(struct scene *s)
 		mem_free(s->mesh[i].uv_index);
 	}
 	for (uint32_t i = 0; i < s->picture_count; i++) {
-		mem_free(s->picture[i].pixel);
-		mem_free(s->picture[i].palette);
+		if (s->picture[i])
+			mem_free(s->picture[i]->sample);
 	}
 	mem_free(s->picture);
 	mem_free(s->light);
@@ -97,13 +97,20 @@ uint32_t scene_add_interior(struct scene *s)
 	return i;
 }
 
-uint32_t scene_add_picture(struct scene *s)
+struct picture *scene_add_picture(struct scene *s)
 {
+	struct picture *picture = arena_zalloc(&s->arena, sizeof(*picture));
 	void *p = s->picture;
-	uint32_t i = grow(s, &p, &s->picture_count, &s->picture_room, sizeof(*s->picture));
+	uint32_t i;
 
+	if (!picture)
+		return NULL;
+	i = grow(s, &p, &s->picture_count, &s->picture_room, sizeof(*s->picture));
 	s->picture = p;
-	return i;
+	if (i == SCENE_NONE)
+		return NULL;
+	s->picture[i] = picture;
+	return picture;
 }
 
 uint32_t scene_add_mesh(struct scene *s)

@@ -201,7 +201,7 @@ struct scene {
 	uint32_t interior_count, interior_room;
 	struct interior *interior;
 	uint32_t picture_count, picture_room;
-	struct picture *picture; /* pixels by mem_alloc */
+	struct picture **picture; /* in the arena */
 	uint32_t mesh_count, mesh_room;
 	struct mesh *mesh; /* arrays by mem_alloc */
 	uint32_t sweep_count, sweep_room;
@@ -220,10 +220,10 @@ void scene_release(struct scene *);
 uint32_t scene_add_light(struct scene *);
 uint32_t scene_add_texture(struct scene *, uint32_t layers);
 uint32_t scene_add_interior(struct scene *);
-uint32_t scene_add_picture(struct scene *);
 uint32_t scene_add_mesh(struct scene *);
 uint32_t scene_add_sweep(struct scene *, uint32_t points);
 uint32_t scene_add_object(struct scene *);
+struct picture *scene_add_picture(struct scene *); /* NULL: no memory */
 /* Put object o at the end of the roots. */
 void scene_add_root(struct scene *, uint32_t o);
 

@@ -14,6 +14,7 @@
 #include <stdint.h>
 
 #include "base/colour.h"
+#include "base/diag.h"
 #include "base/vec.h"
 
 struct function; /* a compiled user function */
@@ -114,23 +115,50 @@ enum pattern_kind {
 /* What becomes of a value: manual 3.4.7.5.6. */
 enum wave_kind { WAVE_RAMP, WAVE_SINE, WAVE_TRIANGLE, WAVE_SCALLOP, WAVE_CUBIC, WAVE_POLY };
 
-enum picture_use { PICTURE_GREY, PICTURE_RED, PICTURE_ALPHA }; /* what a pattern takes as its value */
+/* A picture file's samples, loaded once however often it is used; in the scene's arena. */
+enum picture_depth { PICTURE_8, PICTURE_16, PICTURE_FLOAT };
+struct picture {
+	const char *path; /* as found */
+	uint32_t width, height, channels; /* 1: grey, 2: grey and alpha, 3: RGB, 4: RGBA */
+	enum picture_depth depth;
+	void *sample; /* by mem_alloc; [height * width * channels], top row first */
+	uint32_t palette_count; /* 0: none; else samples (8 bits, 1 channel) are its numbers */
+	bool clear; /* alpha is somewhere below 1 */
+	struct diag_pos pos; /* of the first statement that uses it */
+};
+
+/* What a pattern takes as its value, and a bump_map as its height. */
+enum picture_use { PICTURE_COLOUR, PICTURE_INDEX, PICTURE_ALPHA };
 enum picture_map { /* map_type, by POV-Ray's numbers */
 	PICTURE_PLANAR = 0,
 	PICTURE_SPHERICAL = 1,
 	PICTURE_CYLINDRICAL = 2,
 	PICTURE_TOROIDAL = 5
 };
+enum picture_interpolation { /* interpolate, by POV-Ray's numbers */
+	PICTURE_NEAREST = 0,
+	PICTURE_BILINEAR = 2,
+	PICTURE_BICUBIC = 3,
+	PICTURE_DISTANCE = 4
+};
 
 /* A picture laid on things: which, and how. */
 struct picture_place {
-	uint32_t picture; /* of the scene's pictures */
+	const struct picture *picture;
 	enum picture_map map_type;
-	uint32_t interpolate; /* POV-Ray's numbers: 0 none, 2 bilinear, 3 bicubic, 4 normalised distance */
+	enum picture_interpolation interpolate;
+	enum picture_use use;
 	bool once;
-	enum picture_use use; /* bump_map, image_pattern */
-	double filter_all, transmit_all; /* < 0: not given */
-	double *filter, *transmit; /* of a palette's entries, or NULL; [palette] */
+	bool premultiplied; /* colours are multiplied by alpha */
+	double repeat_u, repeat_v; /* how often the picture stands where it else would once */
+	double offset_u, offset_v; /* in widths and heights */
+	double filter_all, transmit_all; /* are added; not for palettes */
+	/* From samples to the scene's working space. */
+	const float *decode; /* of 8 and 16 bits: [1 << bits] */
+	double gamma; /* of floats: colour ^ gamma; 0: first along the sRGB curve, then ^ gamma_then */
+	double gamma_then;
+	const struct rgbft *entry; /* a palette's colours: [palette_count] */
+	bool clear; /* some of it lets light through */
 };
 
 struct pattern {
@@ -249,20 +277,6 @@ struct texture {
 	struct map map;
 	bool plain; /* looks the same everywhere: no pattern in it, nor a normal */
 	bool wants_uv; /* some part of it is asked at (u, v, 0) */
-};
-
-/* A picture file as a texture, loaded once however often it is used. Rows from the top; straight or
- * premultiplied as in the file. */
-enum picture_depth { PICTURE_8, PICTURE_16, PICTURE_FLOAT };
-struct picture {
-	const char *path; /* as found */
-	uint32_t width, height, channels; /* 1: grey, 2: grey and alpha, 3: RGB, 4: RGBA */
-	enum picture_depth depth;
-	void *pixel; /* by mem_alloc; [height * width * channels] */
-	uint32_t palette_count; /* 0: none; else pixels (8 bits, 1 channel) are its indices */
-	uint8_t *palette; /* [4 * palette_count], RGBA */
-	double gamma; /* decoding: 1 linear, 0 the sRGB curve */
-	bool premultiplied;
 };
 
 /* The finish that POV-Ray starts from (manual 3.4.6.3). */

@@ -93,6 +93,54 @@ int do_read(const char *path, float *(*take)(void *, const io_oiio_header *), vo
 	return 0;
 }
 
+/* Those of colour and alpha, which come first in all formats that a scene's textures are in. */
+uint32_t raw_channels(const OIIO::ImageSpec &spec)
+{
+	int n = spec.nchannels;
+
+	if (n <= 2)
+		return n == 2 && spec.alpha_channel == 1 ? 2 : 1;
+	return n >= 4 && spec.alpha_channel == 3 ? 4 : 3;
+}
+
+int do_read_raw(const char *path, void *(*take)(void *, const io_oiio_raw *), void *arg, char *error,
+		size_t size)
+{
+	OIIO::ImageSpec wish;
+	std::unique_ptr<OIIO::ImageInput> in;
+	io_oiio_raw h = {};
+	void *sample;
+
+	wish.attribute("oiio:UnassociatedAlpha", 1);
+	in = OIIO::ImageInput::open(path, &wish);
+	if (!in)
+		return fail(error, size, OIIO::geterror());
+	const OIIO::ImageSpec &spec = in->spec();
+	if (spec.deep || spec.depth > 1)
+		return fail(error, size, "deep and three-dimensional pictures are not supported");
+	if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0)
+		return fail(error, size, "the picture has no pixels");
+	h.width = static_cast<uint64_t>(spec.width);
+	h.height = static_cast<uint64_t>(spec.height);
+	h.channels = raw_channels(spec);
+	h.bits = stored_bits(spec);
+	if (spec.format.is_floating_point())
+		h.bits = 32;
+	h.linear = is_linear(spec);
+	h.premultiplied = spec.alpha_channel >= 0 && !spec.get_int_attribute("oiio:UnassociatedAlpha");
+	h.format = in->format_name();
+	sample = take(arg, &h);
+	if (!sample)
+		return 2;
+	if (!in->read_image(0, 0, 0, static_cast<int>(h.channels),
+			    h.bits == 8	 ? OIIO::TypeDesc::UINT8 :
+			    h.bits == 16 ? OIIO::TypeDesc::UINT16 :
+					   OIIO::TypeDesc::FLOAT,
+			    sample))
+		return fail(error, size, in->geterror());
+	return 0;
+}
+
 int do_can_write(const char *path, uint32_t *bits, int *linear, int *alpha, char *error,
 		 size_t size)
 {
@@ -171,6 +219,12 @@ int io_read(const char *path, float *(*take)(void *, const io_oiio_header *), vo
 	return guarded(error, size, [=] { return do_read(path, take, arg, error, size); });
 }
 
+int io_read_raw(const char *path, void *(*take)(void *, const io_oiio_raw *), void *arg, char *error,
+		size_t size)
+{
+	return guarded(error, size, [=] { return do_read_raw(path, take, arg, error, size); });
+}
+
 int io_can_write(const char *path, uint32_t *bits, int *linear, int *alpha, char *error,
 		 size_t size)
 {
@@ -188,6 +242,6 @@ int io_write(const char *path, const io_oiio_picture *p, int (*put)(void *, cons
 
 extern "C" {
 extern __attribute__((visibility("default"))) const struct io_oiio alidade_io_oiio;
-const struct io_oiio alidade_io_oiio = { IO_OIIO_ABI, sizeof(struct io_oiio), io_read, io_can_write,
-					 io_write };
+const struct io_oiio alidade_io_oiio = { IO_OIIO_ABI, sizeof(struct io_oiio), io_read, io_read_raw,
+					 io_can_write, io_write };
 }

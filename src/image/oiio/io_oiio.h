@@ -17,7 +17,7 @@
 extern "C" {
 #endif
 
-#define IO_OIIO_ABI 1
+#define IO_OIIO_ABI 2
 #define IO_OIIO_SYMBOL "alidade_io_oiio"
 
 struct io_oiio_header {
@@ -25,6 +25,15 @@ struct io_oiio_header {
 	uint32_t bits; /* of a stored sample: 8, 16 or 32 */
 	int linear; /* light, not sRGB */
 	const char *const *name; /* of the channels; valid during the call of take */
+};
+
+/* A texture's picture: 1 to 4 channels of 8 or 16 bits or floats (bits 32), not multiplied by alpha
+ * unless that is how the file has them. */
+struct io_oiio_raw {
+	uint64_t width, height;
+	uint32_t channels, bits;
+	int linear, premultiplied;
+	const char *format; /* OpenImageIO's name of it; valid during the call of take */
 };
 
 struct io_oiio_picture {
@@ -42,6 +51,9 @@ struct io_oiio {
 	 * it has told why, and read() ends with 2. */
 	int (*read)(const char *path, float *(*take)(void *arg, const struct io_oiio_header *),
 		    void *arg, char *error, size_t error_size);
+	/* The same for struct io_oiio_raw. */
+	int (*read_raw)(const char *path, void *(*take)(void *arg, const struct io_oiio_raw *), void *arg,
+			char *error, size_t error_size);
 	/* Is there a writer for that ending? *linear: its files hold light, *alpha: and an alpha
 	 * channel. bits 0 is set to what it usually stores. */
 	int (*can_write)(const char *path, uint32_t *bits, int *linear, int *alpha, char *error,

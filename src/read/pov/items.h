@@ -99,6 +99,9 @@ struct pov_state {
 	struct pov_lack subsurface, finish_subsurface; /* the same */
 	struct pov_lack radiosity; /* the global block */
 	bool gamma_given;
+	struct pov_picture *pictures; /* files that were read */
+	struct pov_decode *decodes;
+	uint64_t picture_bytes;
 	uint64_t objects, object_limit; /* put into the scene */
 };
 

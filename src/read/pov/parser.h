@@ -98,6 +98,9 @@ void *pov_ident_item(struct pov *); /* the item itself, read-only */
  * reads it and returns the item (NULL after an error), with its kind. In items.c. */
 void *pov_read_item(struct pov *, enum pov_item_kind *kind);
 
+/* A file where #include would look; its path in the scene's arena, NULL: not there. */
+char *pov_find_file(struct pov *, const char *name);
+
 /* The scene being made, and where small things may be kept until reading ends. */
 struct scene *pov_scene(struct pov *);
 struct arena *pov_arena(struct pov *);

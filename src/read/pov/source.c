@@ -175,6 +175,18 @@ bool source_exists(struct pov *p, const char *name)
 	return fd >= 0;
 }
 
+char *pov_find_file(struct pov *p, const char *name)
+{
+	size_t size;
+	char *path;
+	int fd = find_file(p, name, &path, &size);
+
+	if (fd < 0)
+		return NULL;
+	close(fd);
+	return path;
+}
+
 static const char *folder_of(struct pov *p, const char *path)
 {
 	const char *slash = strrchr(path, '/');

@@ -5,6 +5,8 @@
  * measured of POV-Ray 3.7 where its manual is silent: places count from the lower left pixel's corner, and
  * interpolation takes pixels' centres.
  */
+#include <config.h>
+
 #include "pattern/image.h"
 
 #include <math.h>

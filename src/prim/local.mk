@@ -12,4 +12,5 @@ src_libalidade_la_SOURCES += \
 	src/prim/shape.c \
 	src/prim/sphere.c \
 	src/prim/sweep.c \
-	src/prim/torus.c
+	src/prim/torus.c \
+	src/prim/uv.c

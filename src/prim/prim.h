@@ -71,6 +71,10 @@ int prim_intersect(const struct prim *, uint32_t id, const ald_ray *, ald_hit *)
 void prim_surface(const struct prim *, const ald_ray *, const ald_hit *, vec *p, vec *n, double *error);
 bool prim_inside(const struct prim *, vec p); /* p in level coordinates */
 
+/* Surface coordinates of a point p of the world on an object that is no mesh and has this place; part as
+ * in the hit. Only for textures that ask for them. */
+void prim_uv(const struct object *, const struct xform *place, vec p, uint32_t part, double *u, double *v);
+
 /* What shape.c shares with body.c. The maps of a shape that own takes to the object's coordinates, the
  * fourth row being its centre; false: not finite or flat. */
 bool prim_frame(struct prim *, const struct mat *own, const struct xform *place, vec shift, double scale);

@@ -295,6 +295,48 @@ static void secondary_rays_leave(void **state)
 	}
 }
 
+/* As measured in POV-Ray's pictures. */
+static void surface_coordinates(void **state)
+{
+	static const struct {
+		enum shape_kind kind;
+		vec p;
+		uint32_t part;
+		double u, v;
+	} want[] = {
+		{ SHAPE_SPHERE, { 1, 0, 0 }, 0, 0, 0.5 },
+		{ SHAPE_SPHERE, { 0, 0, 1 }, 0, 0.25, 0.5 },
+		{ SHAPE_SPHERE, { 0, 0, -1 }, 0, 0.75, 0.5 },
+		{ SHAPE_SPHERE, { 0, 1, 0 }, 0, 0, 1 },
+		{ SHAPE_TORUS, { 1.25, 0, 0 }, 0, 0.5, 0.5 },
+		{ SHAPE_TORUS, { 0, 0.25, 1 }, 0, 0.25, 0.75 },
+		{ SHAPE_BOX, { -1, 0.5, 0.142857142857142857 }, 0, 0.25, 2 / 3.0 },
+		{ SHAPE_BOX, { 1, -0.5, 0.142857142857142857 }, 1, 0.5, 1 / 3.0 },
+		{ SHAPE_BOX, { -1, -0.5, -1 / 3.0 }, 4, 1, 1 / 3.0 },
+		{ SHAPE_BOX, { 1, 0.5, -1 / 3.0 }, 3, 0.5, 1 },
+		{ SHAPE_BOX, { 0, -0.5, -1 / 3.0 }, 2, 0.375, 0 },
+		{ SHAPE_BOX, { -1, -0.5, 0.142857142857142857 }, 5, 0.25, 1 / 3.0 },
+		{ SHAPE_CONE, { 0.5, 7, 0 }, 0, 1, 9 },
+	};
+	struct xform turn = xform_rotate(vec_make(0, 0, 90)), move = xform_translate(vec_make(1, 2, 3));
+
+	(void)state;
+	turn = xform_mul(&turn, &move);
+	for (unsigned i = 0; i < sizeof(want) / sizeof(want[0]); i++) {
+		bool own = want[i].kind != SHAPE_CONE;
+		vec p = own ? mat_point(&turn.fwd, want[i].p) : vec_make(1, 9, 0);
+		struct object o;
+		double u, v;
+
+		shape_of(&o, want[i].kind, 1, 0);
+		if (o.kind == SHAPE_SPHERE)
+			o.shape.sphere.centre = vec_make(0, 0, 0);
+		prim_uv(&o, &turn, p, want[i].part, &u, &v);
+		assert_true(fabs(u - want[i].u) < 1e-12);
+		assert_true(fabs(v - want[i].v) < 1e-12);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -302,6 +344,7 @@ int main(void)
 		cmocka_unit_test(far_shapes_are_found),
 		cmocka_unit_test(solids_are_tight),
 		cmocka_unit_test(secondary_rays_leave),
+		cmocka_unit_test(surface_coordinates),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

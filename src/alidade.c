@@ -182,12 +182,16 @@ static enum status run_render(struct run *run)
 static void drop_alpha(struct image *image)
 {
 	size_t pixels = (size_t)image->width * image->height;
+	uint32_t n = image->channels;
 
-	if (image->channels != 4)
-		return;
-	for (size_t i = 0; i < pixels; i++)
-		memmove(image->pixel + 3 * i, image->pixel + 4 * i, 3 * sizeof(*image->pixel));
-	image->channels = 3;
+	for (size_t i = 0; i < pixels; i++) {
+		float *to = image->pixel + (n - 1) * i, *from = image->pixel + n * i;
+
+		memmove(to, from, 3 * sizeof(*to));
+		memmove(to + 3, from + 4, (n - 4) * sizeof(*to));
+	}
+	memmove(image->name[3], image->name[4], (n - 4) * sizeof(image->name[0]));
+	image->channels--;
 }
 
 /* dir/name.png -> dir/name.partial.png */

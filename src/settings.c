@@ -6,6 +6,7 @@
 #include "settings.h"
 
 #include <ctype.h>
+#include <inttypes.h>
 #include <math.h>
 #include <string.h>
 
@@ -13,10 +14,12 @@
 
 enum {
 	KEY_ALPHA = OPTION_LONG_ONLY, KEY_AA, KEY_BITS, KEY_BLUR_SAMPLES, KEY_CAMERA_ONLY, KEY_CLOCK,
-	KEY_CROP, KEY_DRY_RUN, KEY_LENIENT, KEY_LIMIT, KEY_LIST_ACCELS, KEY_MEMORY, KEY_PRINT_COMPLETION,
+	KEY_CROP, KEY_DRY_RUN, KEY_ERROR_LAYER, KEY_INDIRECT, KEY_INDIRECT_SAMPLES, KEY_SEED, KEY_LENIENT, KEY_LIMIT, KEY_LIST_ACCELS, KEY_MEMORY, KEY_PRINT_COMPLETION,
 	KEY_PROGRESS, KEY_RANGE, KEY_SKIP_EXISTING, KEY_STATS, KEY_TILE, KEY_VERSION
 };
 
+#define INDIRECT_MAX (1u << 20)
+#define INDIRECT_WORDS "exact off"
 #define AA_WORDS "none 2 3 4 pov1 pov2"
 /* A test holds these against read_limit_table. */
 #define LIMIT_WORDS \
@@ -38,6 +41,17 @@ static const struct option_spec alidade_option[] = {
 	  NULL },
 	{ "blur-samples", KEY_BLUR_SAMPLES, OPTION_ARG, "N", COMPLETE_NOTHING, NULL,
 	  "focal blur: N rays a sample; otherwise as many as a good picture takes", NULL },
+	{ "indirect", KEY_INDIRECT, OPTION_ARG, "METHOD", COMPLETE_WORDS, INDIRECT_WORDS,
+	  "indirect light of scenes with a radiosity block: exact, as its samples converge, or off; exact is "
+	  "the default",
+	  NULL },
+	{ "indirect-samples", KEY_INDIRECT_SAMPLES, OPTION_ARG, "N", COMPLETE_WORDS, "64 256 1024 4096",
+	  "rays of indirect light a pixel, about; more make less noise; 256 is the default", NULL },
+	{ "error-layer", KEY_ERROR_LAYER, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
+	  "estimate the noise of indirect light: a layer Error in an .exr picture, and its mean in --stats",
+	  NULL },
+	{ "seed", KEY_SEED, OPTION_ARG, "N", COMPLETE_NOTHING, NULL,
+	  "take other random numbers; 0 is the default", NULL },
 	{ "bits", KEY_BITS, OPTION_ARG, "N", COMPLETE_WORDS, "8 16 32",
 	  "bits a channel: 8 or 16 for .png and .ppm, 16 or 32 for .exr", NULL },
 	{ "alpha", KEY_ALPHA, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
@@ -115,6 +129,7 @@ void settings_init(struct settings *s, struct mem_book *book)
 	arena_init(&s->arena, book, "settings");
 	s->accel = "octree";
 	s->render.aa_gamma = 2.5;
+	s->render.indirect = INDIRECT_EXACT;
 }
 
 void settings_release(struct settings *s)
@@ -249,6 +264,25 @@ static enum status set_clock(struct settings *s, const struct option_spec *o, co
 {
 	s->frames.set |= FRAMES_CLOCK;
 	return option_real(value, -1e30, 1e30, &s->frames.clock) ? STATUS_OK : wrong(d, o, value, "a number");
+}
+
+static enum status set_indirect(struct settings *s, const struct option_spec *o, const char *value,
+				struct diag *d)
+{
+	if (!strcmp(value, "exact"))
+		s->render.indirect = INDIRECT_EXACT;
+	else if (!strcmp(value, "off"))
+		s->render.indirect = INDIRECT_OFF;
+	else
+		return wrong(d, o, value, "exact or off");
+	return STATUS_OK;
+}
+
+static enum status set_seed(struct settings *s, const struct option_spec *o, const char *value,
+			    struct diag *d)
+{
+	return option_integer(value, 0, UINT64_MAX, &s->render.seed) ? STATUS_OK
+								      : wrong(d, o, value, "a number");
 }
 
 static enum status set_limit(struct settings *s, const struct option_spec *o, const char *value,
@@ -386,6 +420,9 @@ static enum status set_flag(struct settings *s, const struct option_spec *o, con
 	case KEY_SKIP_EXISTING:
 		s->skip_existing = true;
 		break;
+	case KEY_ERROR_LAYER:
+		s->render.error = true;
+		break;
 	case KEY_DRY_RUN:
 		s->dry_run = true;
 		break;
@@ -431,6 +468,10 @@ static enum status set_option(void *arg, const struct option_spec *o, const char
 		return set_aa(s, o, value, d);
 	case KEY_BLUR_SAMPLES:
 		return set_number(o, value, 1, 65536, &s->render.blur_samples, d);
+	case KEY_INDIRECT:
+		return set_indirect(s, o, value, d);
+	case KEY_SEED:
+		return set_seed(s, o, value, d);
 	case KEY_BITS:
 		return set_bits(s, o, value, d);
 	case 'f':
@@ -454,6 +495,8 @@ static enum status set_option(void *arg, const struct option_spec *o, const char
 		return add_dir(s, value, d);
 	case 'D':
 		return add_define(s, o, value, d);
+	case KEY_INDIRECT_SAMPLES:
+		return set_number(o, value, 1, INDIRECT_MAX, &s->render.indirect_samples, d);
 	case KEY_LIMIT:
 		return set_limit(s, o, value, d);
 	case KEY_PROGRESS:
@@ -633,5 +676,13 @@ void settings_describe(const struct settings *s, char *out, size_t size)
 		n += snprintf(out + n, size - (size_t)n, ",threshold=%g,gamma=%g", r->aa_threshold,
 			      r->aa_gamma);
 	if (r->camera_only && n >= 0 && (size_t)n < size)
-		snprintf(out + n, size - (size_t)n, " camera only");
+		n += snprintf(out + n, size - (size_t)n, " camera only");
+	if (r->indirect != INDIRECT_EXACT && n >= 0 && (size_t)n < size)
+		n += snprintf(out + n, size - (size_t)n, " indirect off");
+	if (r->indirect_samples && n >= 0 && (size_t)n < size)
+		n += snprintf(out + n, size - (size_t)n, " indirect samples %u", r->indirect_samples);
+	if (r->error && n >= 0 && (size_t)n < size)
+		n += snprintf(out + n, size - (size_t)n, " error layer");
+	if (r->seed && n >= 0 && (size_t)n < size)
+		snprintf(out + n, size - (size_t)n, " seed %" PRIu64, r->seed);
 }

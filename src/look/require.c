@@ -128,8 +128,9 @@ void require_text(const struct scene *s, const struct geometry *g, const char *a
 		f.clear && f.refraction ? "yes" : "no", f.clear && f.fade ? "yes" : "no");
 	fprintf(out, "  layered textures %s, vertex textures %s, rays up to depth %u\n",
 		f.layered ? "yes" : "no", f.blended ? "yes" : "no", s->max_trace_level);
-	if (s->radiosity)
-		fputs("  radiosity: asked for, but not supported; it is left out\n", out);
+	if (s->radiosity.given)
+		fprintf(out, "  indirect light of %u bounce%s\n", s->radiosity.recursion_limit,
+			s->radiosity.recursion_limit == 1 ? "" : "s");
 	print_structure(g, accel, out);
 	print_memory(book, out);
 }

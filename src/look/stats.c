@@ -14,7 +14,7 @@
 
 static const char *const ray_name[RENDER_RAY_KINDS] = {
 	[RENDER_CAMERA] = "camera", [RENDER_SHADOW] = "shadow", [RENDER_REFLECTED] = "reflected",
-	[RENDER_REFRACTED] = "refracted",
+	[RENDER_REFRACTED] = "refracted", [RENDER_GATHERED] = "gathered",
 };
 
 /* The list of accel.h: the key in JSON and the words in text. */

@@ -22,7 +22,9 @@ enum prim_mask {
 	PRIM_REFLECTED = 2,
 	PRIM_OTHER = 4,
 	PRIM_SHADOW_OPAQUE = 8,
-	PRIM_SHADOW_CLEAR = 16
+	PRIM_SHADOW_CLEAR = 16,
+	PRIM_GATHER = 32,
+	PRIM_GATHER_REFLECTED = 64
 };
 
 struct prim_leaf { /* an object that is no union, with all that it inherits */

@@ -24,6 +24,8 @@ static unsigned leaf_mask(unsigned flags)
 		m |= PRIM_CAMERA;
 	if (!(flags & OBJECT_NO_REFLECTION))
 		m |= PRIM_REFLECTED;
+	if (!(flags & OBJECT_NO_RADIOSITY))
+		m |= flags & OBJECT_NO_REFLECTION ? PRIM_GATHER : PRIM_GATHER | PRIM_GATHER_REFLECTED;
 	if (!(flags & OBJECT_NO_SHADOW))
 		m |= PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR;
 	return m;

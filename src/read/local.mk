@@ -26,6 +26,7 @@ src_libalidade_la_SOURCES += \
 	src/read/pov/parser.h \
 	src/read/pov/pov.c \
 	src/read/pov/picture.c src/read/pov/picture.h \
+	src/read/pov/radiosity.c \
 	src/read/pov/scan.c src/read/pov/scan.h \
 	src/read/pov/settings.c \
 	src/read/pov/source.c \

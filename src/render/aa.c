@@ -96,6 +96,7 @@ static void pixel_add(struct aa_pixel *p, const struct sample *s, double weight)
 		return;
 	}
 	p->colour = rgb_add(p->colour, rgb_scale(s->colour, weight));
+	p->variance = rgb_add(p->variance, rgb_scale(s->variance, weight * weight));
 	p->transmit += s->transmit * weight;
 }
 
@@ -228,6 +229,7 @@ static struct aa_pixel pov2_square(struct grid *g, int32_t x, int32_t y, int32_t
 						level - 1, o);
 
 		out.colour = rgb_add(out.colour, rgb_scale(q.colour, 0.25));
+		out.variance = rgb_add(out.variance, rgb_scale(q.variance, 0.0625));
 		out.transmit += 0.25 * q.transmit;
 		out.finite &= q.finite;
 	}

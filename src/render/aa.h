@@ -13,7 +13,7 @@ struct aa_tile {
 };
 
 struct aa_pixel {
-	struct rgb colour;
+	struct rgb colour, variance;
 	double transmit;
 	bool finite; /* false: a sample was NaN or Inf; it counts as black */
 };

@@ -3,6 +3,8 @@
  */
 #include "render/fold.h"
 
+#include "shade/indirect.h"
+
 /* POV-Ray's reflection exponent changes what a mirror shows (manual 3.4.6.3.6). */
 static struct rgb bend(struct rgb c, double exponent)
 {
@@ -11,29 +13,38 @@ static struct rgb bend(struct rgb c, double exponent)
 	return rgb_make(pow(c.r, exponent), pow(c.g, exponent), pow(c.b, exponent));
 }
 
+/* What a part makes of its children, with how sure it is. */
+struct folded {
+	struct rgb colour, variance;
+	double transmit;
+};
+
+static struct rgb squared(struct rgb a)
+{
+	return rgb_mul(a, a);
+}
+
 /* What comes through the surface, with the part's filter and the fading of the way in. */
-static void fold_through(const struct tree *t, const struct part *p, struct rgb *colour,
-			 double *transmit)
+static void fold_through(const struct tree *t, const struct part *p, struct folded *out)
 {
 	const struct node *child;
-	struct rgb c;
+	struct rgb c = p->fade;
 
 	if (p->through == TREE_NONE)
 		return;
 	child = BUF_AT(&t->node, struct node, p->through);
-	c = rgb_mul(p->fade, child->colour);
 	if (!p->total) {
 		c = rgb_mul(c, p->filter);
-		*transmit = rgb_grey(p->fade) * child->transmit * p->clear;
+		out->transmit = rgb_grey(p->fade) * child->transmit * p->clear;
 	}
-	*colour = rgb_add(*colour, c);
+	out->colour = rgb_add(out->colour, rgb_mul(c, child->colour));
+	out->variance = rgb_add(out->variance, rgb_mul(squared(c), child->variance));
 }
 
-static void fold_part(const struct tree *t, const struct part *p, struct rgb *colour, double *transmit)
+static void fold_part(const struct tree *t, const struct part *p, struct folded *out)
 {
-	*colour = p->own;
-	*transmit = 0;
-	fold_through(t, p, colour, transmit);
+	*out = (struct folded){ .colour = p->own };
+	fold_through(t, p, out);
 	for (uint32_t i = 0; i < p->mirror_count; i++) {
 		const struct mirror *m = BUF_AT(&t->mirror, struct mirror, p->first_mirror + i);
 		const struct node *child;
@@ -41,28 +52,45 @@ static void fold_part(const struct tree *t, const struct part *p, struct rgb *co
 		if (m->child == TREE_NONE)
 			continue;
 		child = BUF_AT(&t->node, struct node, m->child);
-		*colour = rgb_add(*colour, rgb_mul(m->reflectivity, bend(child->colour, m->exponent)));
+		out->colour = rgb_add(out->colour, rgb_mul(m->reflectivity, bend(child->colour, m->exponent)));
+		out->variance = rgb_add(out->variance, rgb_mul(squared(m->reflectivity), child->variance));
 	}
 }
 
-void fold_nodes(struct tree *t, uint32_t first, uint32_t count)
+/* Paths after the first bounce are part of what its replications tell. */
+static void fold_gathers(const struct radiosity *r, const struct tree *t, struct node *n)
+{
+	for (uint32_t i = 0; i < n->gather_count; i++) {
+		const struct gather *g = BUF_AT(&t->gather, struct gather, n->first_gather + i);
+		struct rgb variance, light;
+
+		light = indirect_fold(r, t, g, n->bounce ? NULL : &variance);
+		n->colour = rgb_add(n->colour, rgb_mul(g->factor, light));
+		if (!n->bounce)
+			n->variance = rgb_add(n->variance, rgb_mul(squared(g->factor), variance));
+	}
+}
+
+void fold_nodes(const struct radiosity *r, struct tree *t, uint32_t first, uint32_t count)
 {
 	for (uint32_t i = first; i < first + count; i++) {
 		struct node *n = BUF_AT(&t->node, struct node, i);
 
 		for (uint32_t j = 0; j < n->part_count; j++) {
 			const struct part *p = BUF_AT(&t->part, struct part, n->first_part + j);
-			struct rgb colour;
-			double transmit;
+			struct folded f;
 
-			fold_part(t, p, &colour, &transmit);
-			n->colour = rgb_add(n->colour, rgb_scale(colour, p->share));
-			n->transmit += transmit * p->share;
+			fold_part(t, p, &f);
+			n->colour = rgb_add(n->colour, rgb_scale(f.colour, p->share));
+			n->variance = rgb_add(n->variance, rgb_scale(f.variance, p->share * p->share));
+			n->transmit += f.transmit * p->share;
 		}
+		fold_gathers(r, t, n);
 		if (n->veil) {
 			const struct veil *v = BUF_AT(&t->veil, struct veil, n->veil - 1);
 
 			n->colour = rgb_add(rgb_mul(n->colour, v->clear), v->glow);
+			n->variance = rgb_mul(n->variance, squared(v->clear));
 			n->transmit *= rgb_grey(v->clear);
 		}
 	}

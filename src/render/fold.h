@@ -8,7 +8,7 @@
 
 #include "shade/tree.h"
 
-/* Fill in the colour and transmit of n nodes from first on, whose children's are known. */
-void fold_nodes(struct tree *, uint32_t first, uint32_t n);
+/* Fill in the colour, its variance and transmit of n nodes from first on, whose children's are known. */
+void fold_nodes(const struct radiosity *, struct tree *, uint32_t first, uint32_t n);
 
 #endif

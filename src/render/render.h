@@ -12,6 +12,7 @@
 #include "base/pool.h"
 #include "image/image.h"
 #include "scene/scene.h"
+#include "shade/shade.h"
 
 enum render_aa {
 	RENDER_AA_NONE, /* one ray through each pixel's centre */
@@ -30,6 +31,10 @@ struct render_options {
 	uint32_t blur_samples; /* focal blur: rays a sample; 0: until the picture is good enough */
 	uint32_t tile; /* side in pixels, 0: default */
 	bool alpha; /* the background is transparent as far as its filter and transmit say */
+	enum indirect_method indirect; /* of scenes with a radiosity block */
+	uint32_t indirect_samples; /* rays gathered a pixel, 0: default */
+	bool error; /* estimate the standard error: a fifth channel, the mean of R, G and B's */
+	uint64_t seed; /* other random numbers */
 	bool camera_only; /* no shading at all: camera rays and their hits, for counting and timing */
 	/* Called from one thread at a time, after each tile; pixels of the part to render. May be NULL. */
 	void (*progress)(void *arg, uint64_t done, uint64_t total);
@@ -38,7 +43,9 @@ struct render_options {
 	void *arg;
 };
 
-enum render_ray { RENDER_CAMERA, RENDER_SHADOW, RENDER_REFLECTED, RENDER_REFRACTED, RENDER_RAY_KINDS };
+enum render_ray {
+	RENDER_CAMERA, RENDER_SHADOW, RENDER_REFLECTED, RENDER_REFRACTED, RENDER_GATHERED, RENDER_RAY_KINDS
+};
 
 struct render_counts {
 	uint64_t cast[RENDER_RAY_KINDS], hit[RENDER_RAY_KINDS];
@@ -47,6 +54,7 @@ struct render_counts {
 	uint64_t pixels; /* finished */
 	uint64_t samples;
 	double seconds;
+	double error; /* mean over all pixels of the estimated standard error, if asked for */
 };
 
 /* Render into out, an image of the crop's size made here (R, G, B, A, linear, premultiplied; A is 1 but

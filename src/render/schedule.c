@@ -7,6 +7,7 @@
 
 #include <pthread.h>
 #include <stdatomic.h>
+#include <stdio.h>
 #include <string.h>
 #include <time.h>
 
@@ -18,9 +19,12 @@
 #define TILE_MAX 256
 #define AA_MAX 64
 #define AA_DEPTH_MAX 9 /* POV-Ray's own bound */
+#define INDIRECT_SAMPLES 256
+#define ERROR_SETS 16 /* replications a pixel that its error is estimated from */
 
 struct job {
 	struct render_options whole; /* with defaults filled in */
+	struct indirect indirect;
 	struct shader shader;
 	struct worker *worker;
 	struct aa_pixel **pixel; /* a tile of them a thread */
@@ -44,25 +48,44 @@ static struct aa_tile tile_at(const struct job *j, uint32_t i)
 				 .height = h < o->tile ? h : o->tile };
 }
 
+/* The standard error of the mean of r, g and b as they are stored; they err alike. The slope of the
+ * encoding carries it over. */
+static double pixel_error(const struct aa_pixel *p, double gamma)
+{
+	double sum = 0;
+	const double c[] = { p->colour.r, p->colour.g, p->colour.b };
+	const double v[] = { p->variance.r, p->variance.g, p->variance.b };
+
+	for (int i = 0; i < 3; i++) {
+		double slope = gamma > 0 && gamma != 1 && c[i] > 0 ? gamma * pow(c[i], gamma - 1) : 1;
+
+		sum += slope * sqrt(fmax(0, v[i])) / 3;
+	}
+	return sum;
+}
+
 static void put_pixel(struct job *j, uint32_t x, uint32_t y, const struct aa_pixel *p)
 {
-	float *out = j->image->pixel + ((size_t)y * j->image->width + x) * 4;
+	float *out = j->image->pixel + ((size_t)y * j->image->width + x) * j->image->channels;
 	double gamma = j->shader.scene->assumed_gamma;
 
 	out[0] = (float)tone_linear(p->colour.r, gamma);
 	out[1] = (float)tone_linear(p->colour.g, gamma);
 	out[2] = (float)tone_linear(p->colour.b, gamma);
 	out[3] = (float)(1 - p->transmit);
+	if (j->image->channels > 4)
+		out[4] = (float)pixel_error(p, gamma);
 }
 
 /* Float has a smaller range than double: what overflows is not finite either. */
 static bool stored_finite(const struct job *j, uint32_t x, uint32_t y)
 {
-	float *out = j->image->pixel + ((size_t)y * j->image->width + x) * 4;
+	uint32_t channels = j->image->channels;
+	float *out = j->image->pixel + ((size_t)y * j->image->width + x) * channels;
 
-	for (int i = 0; i < 4; i++) {
+	for (uint32_t i = 0; i < channels; i++) {
 		if (!isfinite(out[i])) {
-			memset(out, 0, 4 * sizeof(*out));
+			memset(out, 0, channels * sizeof(*out));
 			return false;
 		}
 	}
@@ -201,6 +224,24 @@ static double seconds(void)
 	return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
+/* A sample's share of a pixel's rays: where samples are many, each gathers the less. Method 2's are shared by
+ * four pixels, and each pixel has four. */
+static struct indirect indirect_options(const struct render_options *o)
+{
+	uint32_t samples = o->indirect_samples ? o->indirect_samples : INDIRECT_SAMPLES, share = 1, sets;
+
+	if (o->aa == RENDER_AA_GRID)
+		share = o->aa_n * o->aa_n;
+	else if (o->aa == RENDER_AA_POV2)
+		share = 4;
+	sets = (ERROR_SETS + share - 1) / share;
+	if (sets < 2)
+		sets = 2;
+	return (struct indirect){ .method = o->indirect,
+				  .samples = samples > share ? samples / share : 1,
+				  .replications = o->error ? sets : 1 };
+}
+
 static void fill_defaults(struct render_options *o)
 {
 	if (!o->crop_width) {
@@ -212,6 +253,34 @@ static void fill_defaults(struct render_options *o)
 		o->tile = TILE;
 	if (!(o->aa_gamma > 0))
 		o->aa_gamma = 2.5;
+}
+
+static enum status make_image(struct job *j, struct mem_book *book, struct diag *d)
+{
+	static const char *const name[] = { "R", "G", "B", "A", "Error.Y" };
+	const struct render_options *o = &j->whole;
+	uint32_t channels = o->error ? 5 : 4;
+	struct image *out = j->image;
+	enum status st = image_init(out, book, o->crop_width, o->crop_height, channels, d);
+
+	if (st)
+		return st;
+	memset(out->pixel, 0, (size_t)out->width * out->height * channels * sizeof(float));
+	out->encoding = IMAGE_LINEAR;
+	out->premultiplied = true;
+	for (uint32_t i = 0; i < channels; i++)
+		snprintf(out->name[i], sizeof(out->name[i]), "%s", name[i]);
+	return STATUS_OK;
+}
+
+static double mean_error(const struct image *out)
+{
+	size_t pixels = (size_t)out->width * out->height;
+	double sum = 0;
+
+	for (size_t i = 0; out->channels > 4 && i < pixels; i++)
+		sum += (double)out->pixel[i * out->channels + 4];
+	return sum / (double)pixels;
 }
 
 enum status render_scene(const struct scene *scene, const struct geometry *geometry,
@@ -228,17 +297,11 @@ enum status render_scene(const struct scene *scene, const struct geometry *geome
 	if (st)
 		return st;
 	fill_defaults(&j.whole);
-	st = image_init(out, book, j.whole.crop_width, j.whole.crop_height, 4, d);
+	st = make_image(&j, book, d);
 	if (st)
 		return st;
-	memset(out->pixel, 0, (size_t)out->width * out->height * 4 * sizeof(float));
-	out->encoding = IMAGE_LINEAR;
-	out->premultiplied = true;
-	for (int i = 0; i < 4; i++) {
-		out->name[i][0] = "RGBA"[i];
-		out->name[i][1] = 0;
-	}
-	shader_init(&j.shader, scene, geometry, options->alpha);
+	j.indirect = indirect_options(&j.whole);
+	shader_init(&j.shader, scene, geometry, options->alpha, &j.indirect);
 	j.across = (j.whole.crop_width + j.whole.tile - 1) / j.whole.tile;
 	down = (j.whole.crop_height + j.whole.tile - 1) / j.whole.tile;
 	pthread_mutex_init(&j.lock, NULL);
@@ -248,6 +311,7 @@ enum status render_scene(const struct scene *scene, const struct geometry *geome
 		pool_run(pool, j.across * down, render_tile, &j);
 		sum_counts(&j, threads);
 		counts->seconds = seconds() - start;
+		counts->error = mean_error(out);
 		if (atomic_load(&j.no_memory))
 			st = diag_no_memory(d, "rendering", 0);
 		else if (atomic_load(&j.stopped))

@@ -18,6 +18,7 @@
 #include "shade/camera.h"
 
 #define BATCH 1024
+#define GATHER_BATCH 16384 /* rays that a batch may gather; a hit's own count apart */
 
 uint64_t wave_key(const struct sample *s)
 {
@@ -26,6 +27,11 @@ uint64_t wave_key(const struct sample *s)
 	memcpy(&x, &s->x, sizeof(x));
 	memcpy(&y, &s->y, sizeof(y));
 	return rng_mix(rng_mix(x) + y);
+}
+
+static uint64_t seeded(uint64_t key, uint64_t seed)
+{
+	return seed ? rng_child(key, seed) : key;
 }
 
 static bool root_ray(const struct worker *w, const struct wave_root *r, struct node *n)
@@ -45,7 +51,7 @@ bool wave_push(struct worker *w, const struct wave_root *r)
 	const struct scene *scene = w->shader->scene;
 	uint32_t i = tree_push(t, &t->node, 1);
 	struct node n = { .weight = 1,
-			  .key = r->key,
+			  .key = seeded(r->key, w->options->seed),
 			  .skip = ALD_NONE,
 			  .kind = NODE_CAMERA,
 			  .clear_sky = w->shader->alpha,
@@ -64,13 +70,21 @@ bool wave_push(struct worker *w, const struct wave_root *r)
 	return true;
 }
 
+/* Gathered rays keep their mask through mirrors and glass. */
+static uint32_t node_mask(const struct node *n)
+{
+	if (n->bounce)
+		return n->mirrored ? TRACE_GATHER_REFLECTED : TRACE_GATHER;
+	return n->mirrored ? TRACE_REFLECTED : TRACE_CAMERA;
+}
+
 static void fill_ray(ald_ray *r, const struct node *n)
 {
 	*r = (ald_ray){ .org = n->org,
 			.dir = n->dir,
 			.tmin = 0,
 			.tmax = HUGE_VAL,
-			.mask = n->nowhere ? 0 : n->mirrored ? TRACE_REFLECTED : TRACE_CAMERA,
+			.mask = n->nowhere ? 0 : node_mask(n),
 			.skip = n->skip,
 			.after = ALD_NONE,
 			.after_sub = { ALD_NONE, ALD_NONE } };
@@ -78,7 +92,8 @@ static void fill_ray(ald_ray *r, const struct node *n)
 
 static void count_rays(struct worker *w, const struct node *n, bool hit)
 {
-	static const enum render_ray kind[] = { RENDER_CAMERA, RENDER_REFLECTED, RENDER_REFRACTED };
+	static const enum render_ray kind[] = { RENDER_CAMERA, RENDER_REFLECTED, RENDER_REFRACTED,
+					       RENDER_GATHERED };
 
 	w->counts.cast[kind[n->kind]]++;
 	w->counts.hit[kind[n->kind]] += hit;
@@ -129,7 +144,7 @@ static void follow_batch(struct worker *w, uint32_t first, uint32_t n, uint32_t 
 struct frame {
 	uint32_t done, end; /* nodes done .. end - 1 are still to be followed */
 	uint32_t batch, batched; /* the batch being followed: first node, how many */
-	uint32_t node, part, mirror, inside, veil; /* counts before it */
+	uint32_t node, part, mirror, inside, veil, gather; /* counts before it */
 };
 
 static bool push_frame(struct worker *w, uint32_t first, uint32_t end)
@@ -147,19 +162,33 @@ static void finish_batch(struct worker *w, struct frame *f)
 {
 	struct tree *t = &w->tree;
 
-	fold_nodes(t, f->batch, f->batched);
+	fold_nodes(&w->shader->scene->radiosity, t, f->batch, f->batched);
 	t->node.count = f->node;
 	t->part.count = f->part;
 	t->mirror.count = f->mirror;
 	t->inside.count = f->inside;
 	t->veil.count = f->veil;
+	t->gather.count = f->gather;
 	f->batched = 0;
+}
+
+/* As many as a plugin likes, but not so many that what they gather fills the memory. */
+static uint32_t batch_size(const struct worker *w, const struct frame *f)
+{
+	const struct indirect *in = &w->shader->indirect;
+	uint32_t most = f->end - f->done < BATCH ? f->end - f->done : BATCH, rays = 0, n;
+
+	if (in->method == INDIRECT_OFF)
+		return most;
+	for (n = 0; n < most && rays < GATHER_BATCH; n++)
+		rays += BUF_AT(&w->tree.node, struct node, f->done + n)->bounce ? 1 : in->samples;
+	return n;
 }
 
 static bool next_batch(struct worker *w, struct frame *f, uint32_t hints)
 {
 	struct tree *t = &w->tree;
-	uint32_t n = f->end - f->done < BATCH ? f->end - f->done : BATCH, before = t->node.count;
+	uint32_t n = batch_size(w, f), before = t->node.count;
 
 	f->batch = f->done;
 	f->batched = n;
@@ -169,6 +198,7 @@ static bool next_batch(struct worker *w, struct frame *f, uint32_t hints)
 	f->mirror = t->mirror.count;
 	f->inside = t->inside.count;
 	f->veil = t->veil.count;
+	f->gather = t->gather.count;
 	follow_batch(w, f->batch, n, hints);
 	if (t->no_memory)
 		return false;
@@ -246,6 +276,7 @@ bool wave_trace(struct worker *w, uint32_t first, uint32_t n)
 		const struct node *node = BUF_AT(&t->node, struct node, i);
 
 		s->colour = node->colour;
+		s->variance = node->variance;
 		s->transmit = node->transmit;
 	}
 	return true;

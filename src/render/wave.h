@@ -13,6 +13,7 @@
 struct sample {
 	double x, y;
 	struct rgb colour; /* working space, premultiplied */
+	struct rgb variance; /* of colour, as an estimate */
 	double transmit;
 };
 

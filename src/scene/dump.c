@@ -257,7 +257,7 @@ static void dump_shape(const struct object *o, FILE *to)
 static void dump_flags(unsigned flags, FILE *to)
 {
 	static const char *const word[] = { "no_shadow", "no_image", "no_reflection", "hollow",
-					    "double_illuminate", "inverse" };
+					    "double_illuminate", "inverse", "no_radiosity" };
 
 	for (unsigned i = 0; i < sizeof(word) / sizeof(word[0]); i++) {
 		if (flags & 1u << i)
@@ -286,6 +286,24 @@ static void dump_object(const struct object *o, uint32_t i, unsigned what, FILE 
 	end_line(to, what, &o->pos);
 }
 
+static void dump_radiosity(const struct radiosity *r, FILE *to)
+{
+	fprintf(to, "radiosity recursion_limit %u", r->recursion_limit);
+	put_word(to, "brightness", r->brightness);
+	put_word(to, "gray_threshold", r->gray_threshold);
+	put_word(to, "adc_bailout", r->adc_bailout);
+	put_word(to, "max_sample", r->max_sample);
+	fprintf(to, " count %u nearest_count %u", r->count, r->nearest_count);
+	put_word(to, "error_bound", r->error_bound);
+	put_word(to, "low_error_factor", r->low_error_factor);
+	put_word(to, "minimum_reuse", r->minimum_reuse);
+	put_word(to, "maximum_reuse", r->maximum_reuse);
+	put_word(to, "pretrace_start", r->pretrace_start);
+	put_word(to, "pretrace_end", r->pretrace_end);
+	fprintf(to, "%s%s%s%s\n", r->normal ? " normal" : "", r->media ? " media" : "",
+		r->subsurface ? " subsurface" : "", r->always_sample ? " always_sample" : "");
+}
+
 void scene_dump(const struct scene *s, unsigned what, FILE *to)
 {
 	fprintf(to, "scene version %d", s->version);
@@ -294,7 +312,9 @@ void scene_dump(const struct scene *s, unsigned what, FILE *to)
 	put_word(to, "adc_bailout", s->adc_bailout);
 	put_rgb(to, "ambient_light", s->ambient_light);
 	put_rgbft(to, "background", s->background);
-	fprintf(to, "%s\n", s->radiosity ? " radiosity" : "");
+	fputc('\n', to);
+	if (s->radiosity.given)
+		dump_radiosity(&s->radiosity, to);
 	dump_camera(s, what, to);
 	for (uint32_t i = 0; i < s->light_count; i++)
 		dump_light(&s->light[i], i, what, to);

@@ -16,6 +16,18 @@ void scene_init(struct scene *s, struct mem_book *book)
 	s->number_of_waves = 10;
 	s->adc_bailout = 1.0 / 255.0;
 	s->ambient_light = rgb_make(1, 1, 1);
+	s->radiosity = (struct radiosity){ .recursion_limit = 2,
+					   .brightness = 1,
+					   .adc_bailout = 0.01,
+					   .max_sample = -1,
+					   .count = 35,
+					   .nearest_count = 5,
+					   .error_bound = 1.8,
+					   .low_error_factor = 0.5,
+					   .minimum_reuse = 0.015,
+					   .maximum_reuse = 0.2,
+					   .pretrace_start = 0.08,
+					   .pretrace_end = 0.04 };
 	s->first_root = s->last_root = SCENE_NONE;
 }
 
@@ -272,6 +284,19 @@ uint64_t scene_hash_shapes(const struct scene *s)
 	return hash_shapes(h, s);
 }
 
+/* Only what decides the light. */
+static uint64_t hash_radiosity(uint64_t h, const struct radiosity *r)
+{
+	h = HASH(h, r->normal);
+	h = HASH(h, r->media);
+	h = HASH(h, r->subsurface);
+	h = HASH(h, r->recursion_limit);
+	h = HASH(h, r->brightness);
+	h = HASH(h, r->gray_threshold);
+	h = HASH(h, r->adc_bailout);
+	return HASH(h, r->max_sample);
+}
+
 uint64_t scene_hash(const struct scene *s)
 {
 	uint64_t h = HASH_START;
@@ -284,6 +309,8 @@ uint64_t scene_hash(const struct scene *s)
 	h = HASH(h, s->adc_bailout);
 	h = HASH(h, s->ambient_light);
 	h = HASH(h, s->background);
+	if (s->radiosity.given)
+		h = hash_radiosity(h, &s->radiosity);
 	h = HASH(h, s->camera.kind);
 	h = HASH(h, s->camera.location);
 	h = HASH(h, s->camera.direction);

@@ -131,7 +131,8 @@ enum object_flag {
 	OBJECT_NO_REFLECTION = 4, /* reflected rays do not see it */
 	OBJECT_HOLLOW = 8,
 	OBJECT_DOUBLE_ILLUMINATE = 16,
-	OBJECT_INVERSE = 32
+	OBJECT_INVERSE = 32,
+	OBJECT_NO_RADIOSITY = 64 /* rays that gather indirect light do not see it */
 };
 
 struct object {
@@ -175,6 +176,26 @@ struct object {
 	struct diag_pos pos;
 };
 
+/* Indirect light as global_settings { radiosity { } } describes it (manual 3.4.4.3). What decides the light
+ * itself stands first; the rest tells POV-Ray's cache how well to approximate it. */
+struct radiosity {
+	bool given; /* there is such a block */
+	bool normal; /* light is gathered around a layer's bent normal */
+	bool media; /* what is gathered shows fog, rainbows and media */
+	bool subsurface;
+	uint32_t recursion_limit; /* bounces, at least 1 */
+	double brightness; /* factor at each bounce */
+	double gray_threshold; /* 0: coloured .. 1: only its grey counts, at each bounce */
+	double adc_bailout; /* replaces the scene's for gathered light */
+	double max_sample; /* nothing gathered is brighter, if > 0 */
+
+	uint32_t count, nearest_count; /* rays a sample; samples a place */
+	double error_bound, low_error_factor;
+	double minimum_reuse, maximum_reuse; /* shares of the distance to the camera */
+	double pretrace_start, pretrace_end; /* shares of the picture's width */
+	bool always_sample;
+};
+
 struct scene {
 	struct mem_book *book; /* the caller's; outlives the scene */
 	struct arena arena; /* small things; file names in diag_pos too */
@@ -188,7 +209,7 @@ struct scene {
 	struct rgbft background;
 	uint32_t noise_generator; /* of patterns that name none: 1, 2, 3, or 0: by the version */
 	uint32_t number_of_waves; /* of ripples and waves, at least 1 */
-	bool radiosity; /* a radiosity block was given */
+	struct radiosity radiosity;
 	struct camera camera;
 	bool has_camera;
 	uint32_t media_count; /* that fill the world, outside of what is not hollow */

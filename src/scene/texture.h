@@ -252,6 +252,7 @@ struct normal {
 struct finish {
 	struct rgb ambient, emission;
 	double diffuse, diffuse_back, brilliance;
+	double indirect, indirect_back; /* diffuse for indirect light: before albedo raised it */
 	double phong, phong_size;
 	double specular, roughness; /* roughness > 0 */
 	double metallic;

@@ -1,5 +1,6 @@
 src_libalidade_la_SOURCES += \
 	src/shade/camera.c src/shade/camera.h \
+	src/shade/indirect.c src/shade/indirect.h \
 	src/shade/light.c src/shade/light.h \
 	src/shade/pov/finish.c src/shade/pov/finish.h \
 	src/shade/pov/interior.c src/shade/pov/interior.h \

@@ -3,11 +3,16 @@
  */
 #include "shade/shade.h"
 
+#include "shade/indirect.h"
+
 #define CAMERA_SOLIDS 64
 
-void shader_init(struct shader *sh, const struct scene *s, const struct geometry *g, bool alpha)
+void shader_init(struct shader *sh, const struct scene *s, const struct geometry *g, bool alpha,
+		 const struct indirect *indirect)
 {
 	*sh = (struct shader){ .scene = s, .geometry = g, .alpha = alpha };
+	if (s->radiosity.given)
+		sh->indirect = *indirect;
 	for (uint32_t i = 0; i < s->texture_count && !sh->translucent; i++)
 		sh->translucent = texture_translucent(&s->texture[i]);
 	sh->clear_shadows = sh->translucent && s->light_count > 0;
@@ -16,9 +21,13 @@ void shader_init(struct shader *sh, const struct scene *s, const struct geometry
 		sh->media = s->interior[i].media_count > 0;
 }
 
-bool shade_worth(const struct shader *sh, uint32_t level, double weight)
+bool shade_worth(const struct shader *sh, uint32_t bounce, uint32_t level, double weight)
 {
-	return level < sh->scene->max_trace_level && weight >= sh->scene->adc_bailout;
+	uint32_t most = sh->scene->max_trace_level, start = indirect_level(bounce);
+
+	if (bounce && most <= start)
+		most = start + 1;
+	return level < most && weight >= shade_bailout(sh, bounce);
 }
 
 uint32_t shade_camera_inside(const struct shader *sh, struct tree *t, vec org)

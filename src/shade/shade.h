@@ -9,6 +9,18 @@
 
 #include "shade/tree.h"
 
+enum indirect_method {
+	INDIRECT_OFF, /* ambient stands for it */
+	INDIRECT_EXACT /* rays are gathered at every hit */
+};
+
+/* How indirect light is found, of scenes that ask for it. */
+struct indirect {
+	enum indirect_method method;
+	uint32_t samples; /* rays gathered for a pixel, about */
+	uint32_t replications; /* in so many independent sets, at least 1 */
+};
+
 /* What all shading of one picture shares; read-only while rendering. */
 struct shader {
 	const struct scene *scene;
@@ -18,6 +30,7 @@ struct shader {
 	bool translucent; /* some texture lets light through: interiors are followed */
 	bool clear_shadows; /* and shadow rays are filtered */
 	bool media; /* something fills solids or the world */
+	struct indirect indirect; /* method is INDIRECT_OFF unless the scene asks for radiosity */
 };
 
 /* Rays cast for shading, for the reports. */
@@ -25,7 +38,9 @@ struct shade_counts {
 	uint64_t shadow_cast, shadow_hit;
 };
 
-void shader_init(struct shader *, const struct scene *, const struct geometry *, bool alpha);
+/* indirect counts only if the scene asks for it. */
+void shader_init(struct shader *, const struct scene *, const struct geometry *, bool alpha,
+		 const struct indirect *);
 
 /* The solids that a camera ray starts in, as a list of tree.inside. */
 uint32_t shade_camera_inside(const struct shader *, struct tree *, vec org);
@@ -43,6 +58,12 @@ void shade_media(const struct shader *, struct tree *, uint32_t thread, uint32_t
 void shade_spawn(const struct shader *, struct tree *);
 
 /* How far down the tree, and how faintly, a ray is still traced (max_trace_level, adc_bailout). */
-bool shade_worth(const struct shader *, uint32_t level, double weight);
+bool shade_worth(const struct shader *, uint32_t bounce, uint32_t level, double weight);
+
+/* The share of a pixel below which nothing is followed; the radiosity block has its own. */
+static inline double shade_bailout(const struct shader *sh, uint32_t bounce)
+{
+	return bounce ? sh->scene->radiosity.adc_bailout : sh->scene->adc_bailout;
+}
 
 #endif

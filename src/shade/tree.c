@@ -16,6 +16,7 @@ void tree_init(struct tree *t, struct mem_book *book)
 	t->mirror.size = sizeof(struct mirror);
 	t->inside.size = sizeof(struct inside);
 	t->veil.size = sizeof(struct veil);
+	t->gather.size = sizeof(struct gather);
 	t->met.size = sizeof(struct met);
 	t->layer.size = sizeof(struct lit_layer);
 	t->lit.size = sizeof(struct lit);
@@ -37,13 +38,14 @@ void tree_reset_wave(struct tree *t)
 void tree_reset(struct tree *t)
 {
 	t->node.count = t->part.count = t->mirror.count = t->inside.count = t->veil.count = 0;
+	t->gather.count = 0;
 	tree_reset_wave(t);
 }
 
 void tree_release(struct tree *t)
 {
-	struct buf *all[] = { &t->node, &t->part,  &t->mirror, &t->inside, &t->veil, &t->met, &t->layer, &t->lit,
-			      &t->shadow, &t->cell, &t->asked, &t->ray,	   &t->hit, &t->hidden,
+	struct buf *all[] = { &t->node, &t->part,  &t->mirror, &t->inside, &t->veil, &t->gather, &t->met, &t->layer,
+			      &t->lit, &t->shadow, &t->cell, &t->asked, &t->ray,	   &t->hit, &t->hidden,
 			      &t->media.segment, &t->media.span, &t->media.reach, &t->media.sample,
 			      &t->media.slot };
 

@@ -18,7 +18,7 @@
 
 #define TREE_NONE UINT32_MAX
 
-enum node_kind { NODE_CAMERA, NODE_REFLECTED, NODE_REFRACTED };
+enum node_kind { NODE_CAMERA, NODE_REFLECTED, NODE_REFRACTED, NODE_GATHERED };
 
 struct node {
 	vec org, dir; /* dir is unit */
@@ -26,6 +26,8 @@ struct node {
 	uint64_t key; /* what its random numbers are made of */
 	double length; /* of its way to what it hit, or infinite; known once it is traced */
 	uint32_t level; /* mirrors and refractions before it */
+	uint32_t bounce; /* diffuse bounces before it: it brings indirect light if not 0 */
+	uint32_t path; /* then: which of the rays that were sent from the first of them */
 	uint32_t inside; /* what it is inside of, an index of tree.inside, or TREE_NONE */
 	uint32_t skip; /* the planar primitive it starts on */
 	enum node_kind kind;
@@ -35,13 +37,24 @@ struct node {
 	bool nowhere; /* no ray at all: the camera sees nothing here */
 	uint32_t first_part, part_count; /* no parts: colour is what it is */
 	uint32_t veil; /* what hangs between its origin and its end: 1 + an index, or 0 */
+	uint32_t first_gather, gather_count; /* where its hit asks for indirect light */
 	struct rgb colour;
+	struct rgb variance; /* of the colour, as an estimate; 0 without replications */
 	double transmit; /* how much of the background is seen, for alpha */
 };
 
 /* Media and fog on the way: what comes from the ray's end is multiplied by clear, glow is added. */
 struct veil {
 	struct rgb clear, glow;
+};
+
+/* Indirect light on one side of a hit, for all its layers together: the mean of what the rays bring. */
+struct gather {
+	struct rgb factor; /* what the layers make of it */
+	vec normal; /* rays lie around it */
+	bool around_raw; /* normal is the surface's own, not a bent one */
+	uint32_t first, count; /* nodes; count 0: none yet */
+	uint32_t replications; /* of count / replications rays each, independent of each other */
 };
 
 /* Being in a solid; a list from the innermost outward that never changes, so that rays share it. */
@@ -99,6 +112,7 @@ struct met {
 	unsigned flags;
 	uint32_t first_part, part_count;
 	uint32_t first_layer, layer_count; /* over all its parts */
+	uint32_t first_gather;
 };
 
 /* A question to one light point, or to one point of a light's grid. */
@@ -117,7 +131,7 @@ struct cell {
 struct tree {
 	struct mem_book *book;
 	bool no_memory; /* sticky: some push failed */
-	struct buf node, part, mirror, inside, veil; /* until folded */
+	struct buf node, part, mirror, inside, veil, gather; /* until folded */
 	struct buf met, layer, lit, shadow, cell, asked; /* of the current wave */
 	struct buf ray, hit, hidden; /* of the current call to trace */
 	struct {

@@ -469,12 +469,7 @@ static void test_exports(void **unused)
 		read_export(&f, want[i][0]);
 		if (!strstr(f.dump, want[i][1]))
 			fail_msg("%s: '%s' was expected in\n%s", want[i][0], want[i][1], f.dump);
-		/* Radiosity is the one thing that is not rendered, and said once. */
-		if (f.scene.radiosity)
-			assert_string_equal(f.messages, "14:5: warning: radiosity: indirect light is not "
-						       "rendered yet\n");
-		else
-			assert_string_equal(f.messages, "");
+		assert_string_equal(f.messages, "");
 		fixture_release(&f);
 	}
 }

@@ -232,6 +232,8 @@ static void apply_albedo(struct draft *d)
 	struct finish *f = &d->f.finish;
 	double e;
 
+	f->indirect = f->diffuse;
+	f->indirect_back = f->diffuse_back;
 	if (d->diffuse_albedo) {
 		f->diffuse *= (f->brilliance + 1) / 2;
 		f->diffuse_back *= (f->brilliance + 1) / 2;

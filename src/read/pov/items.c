@@ -363,9 +363,7 @@ void pov_default(struct pov *p)
 				set_default(p, t, &at);
 			break;
 		case TOK_RADIOSITY:
-			pov_next(p);
-			if (pov_token(p) == TOK_LEFT_BRACE)
-				pov_skip_block(p);
+			pov_read_importance(p);
 			break;
 		case TOK_CAMERA:
 			c = pov_read_camera(p);
@@ -421,7 +419,5 @@ void pov_items_end(struct pov *p)
 		pov_lack_use(p, &s->photons);
 	if (s->subsurface.construct && s->finish_subsurface.construct)
 		pov_lack_use(p, &s->finish_subsurface);
-	if (s->radiosity.construct)
-		pov_warn(p, &s->radiosity.pos, "radiosity: indirect light is not rendered yet");
 	note_legacy(p);
 }

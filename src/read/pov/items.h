@@ -97,7 +97,6 @@ struct pov_state {
 	struct pov_camera *camera; /* the last one used */
 	struct pov_lack photons, object_photons; /* global block; first object that asks for them */
 	struct pov_lack subsurface, finish_subsurface; /* the same */
-	struct pov_lack radiosity; /* the global block */
 	bool gamma_given;
 	struct pov_picture *pictures; /* files that were read */
 	struct pov_decode *decodes;
@@ -146,6 +145,8 @@ bool pov_starts_object(struct pov *);
 void pov_read_settings(struct pov *);
 uint32_t pov_noise_generator(struct pov *); /* a number of 1 to 3 */
 void pov_read_background(struct pov *);
+void pov_read_radiosity(struct pov *); /* the block of global_settings */
+void pov_read_importance(struct pov *); /* radiosity { } of an object or #default */
 
 /* pigment, normal or finish as the current token: *t with its topmost layer changed, or #default's. */
 bool pov_texture_part(struct pov *, struct pov_texture **t);

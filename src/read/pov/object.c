@@ -219,6 +219,9 @@ static bool read_flag(struct pov *p, struct pov_object *o)
 	case TOK_NO_REFLECTION:
 		flag = OBJECT_NO_REFLECTION;
 		break;
+	case TOK_NO_RADIOSITY:
+		flag = OBJECT_NO_RADIOSITY;
+		break;
 	case TOK_HOLLOW:
 		flag = OBJECT_HOLLOW;
 		break;
@@ -251,7 +254,6 @@ static bool read_ignored(struct pov *p, struct pov_object *o)
 	case TOK_STURM:
 	case TOK_HIERARCHY:
 	case TOK_SPLIT_UNION:
-	case TOK_NO_RADIOSITY:
 		pov_next(p);
 		pov_bool(p, true);
 		return true;
@@ -259,8 +261,10 @@ static bool read_ignored(struct pov *p, struct pov_object *o)
 	case TOK_CUTAWAY_TEXTURES:
 		pov_next(p);
 		return true;
-	case TOK_BOUNDED_BY:
 	case TOK_RADIOSITY:
+		pov_read_importance(p);
+		return true;
+	case TOK_BOUNDED_BY:
 		break;
 	case TOK_PHOTONS:
 		if (!pov_state(p)->object_photons.construct)

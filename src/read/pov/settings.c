@@ -63,14 +63,6 @@ static void read_subsurface(struct pov *p)
 	pov_skip_block(p);
 }
 
-static void read_radiosity(struct pov *p)
-{
-	pov_lack_note(p, &pov_state(p)->radiosity, "radiosity", NULL);
-	pov_scene(p)->radiosity = true;
-	pov_next(p);
-	pov_skip_block(p);
-}
-
 uint32_t pov_noise_generator(struct pov *p)
 {
 	struct diag_pos at = pov_here(p);
@@ -122,7 +114,7 @@ static bool read_word(struct pov *p)
 		read_subsurface(p);
 		return true;
 	case TOK_RADIOSITY:
-		read_radiosity(p);
+		pov_read_radiosity(p);
 		return true;
 	case TOK_NUMBER_OF_WAVES:
 		read_waves(p);

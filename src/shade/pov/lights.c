@@ -18,9 +18,20 @@
 
 #define BESIDE 1e-10 /* cosine below which light passes by a surface, as in POV-Ray */
 
-static bool spread(const struct light *l)
+/* To gathered rays an area light is a point, as in POV-Ray. */
+static bool wide(const struct light *l, const struct node *n)
 {
-	return l->area && l->area_illumination;
+	return l->area && !n->bounce;
+}
+
+static bool spread(const struct light *l, const struct node *n)
+{
+	return wide(l, n) && l->area_illumination;
+}
+
+static const struct node *node_of(const struct tree *t, const struct met *m)
+{
+	return BUF_AT(&t->node, struct node, m->node);
 }
 
 /* Can light from dir do anything to a layer? Sets behind: only the second value of diffuse takes it. */
@@ -39,7 +50,7 @@ static bool wanted(const struct tree *t, const struct light *l, const struct met
 {
 	bool behind;
 
-	if (spread(l)) /* its points lie in many directions: asked for one by one later */
+	if (spread(l, node_of(t, m))) /* its points lie in many directions: asked for one by one later */
 		return m->layer_count > 0;
 	for (uint32_t i = 0; i < m->layer_count; i++) {
 		if (falls_on(BUF_AT(&t->layer, struct lit_layer, m->first_layer + i), m, dir, &behind))
@@ -90,7 +101,7 @@ static bool ask_light(const struct shader *sh, struct tree *t, uint32_t hit, uin
 	const struct light *l = &sh->scene->light[light];
 	const struct met *m = BUF_AT(&t->met, struct met, hit);
 	struct light_ray r = light_towards(l, m->p, vec_make(0, 0, 0));
-	double a = surface && spread(l) ? 1 : light_attenuation(l, m->p, &r);
+	double a = surface && spread(l, node_of(t, m)) ? 1 : light_attenuation(l, m->p, &r);
 	struct lit lit = { .hit = hit,
 			   .light = light,
 			   .dir = r.dir,
@@ -101,7 +112,7 @@ static bool ask_light(const struct shader *sh, struct tree *t, uint32_t hit, uin
 
 	if (shadow_dark(lit.colour) || (surface && !wanted(t, l, m, r.dir)))
 		return false;
-	if (l->area && !l->shadowless) {
+	if (wide(l, node_of(t, m)) && !l->shadowless) {
 		lit.grid = new_grid(t, l);
 		if (lit.grid == TREE_NONE)
 			return false;
@@ -130,7 +141,7 @@ static void ask_points(const struct shader *sh, struct tree *t, uint32_t thread,
 		struct light_ray r = { lit->dir, lit->depth };
 
 		if (lit->grid == TREE_NONE && !sh->scene->light[lit->light].shadowless)
-			ask(t, m, BUF_AT(&t->node, struct node, m->node), &r, lit->colour);
+			ask(t, m, node_of(t, m), &r, lit->colour);
 	}
 	shadow_trace(sh, t, thread, 0, counts);
 	if (t->no_memory)
@@ -275,7 +286,7 @@ static void fall(struct tree *t, const struct met *m, const struct light *l, vec
 					  .light = colour,
 					  .pigment = layer->pigment,
 					  .opacity = layer->opacity,
-					  .highlights = !l->shadowless };
+					  .highlights = !l->shadowless && !node_of(t, m)->bounce };
 
 		if (falls_on(layer, m, dir, &f.behind))
 			p->own = rgb_add(p->own, rgb_mul(layer->filter, finish_shade(layer->finish, &f)));
@@ -320,7 +331,7 @@ void shade_light(const struct shader *sh, struct tree *t, uint32_t thread, struc
 
 		if (shadow_dark(lit->colour))
 			continue;
-		if (spread(l))
+		if (spread(l, n))
 			fall_spread(t, m, l, n->dir, lit->colour,
 				    rng_child(n->key, 0x200000000u + lit->light));
 		else

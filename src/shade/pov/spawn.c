@@ -5,6 +5,7 @@
  * of Snell's law (Glassner, An Introduction to Ray Tracing, 1989, chapter 7).
  */
 #include "base/rng.h"
+#include "shade/indirect.h"
 #include "shade/pov/interior.h"
 #include "shade/pov/shadow.h"
 #include "shade/shade.h"
@@ -29,7 +30,7 @@ static uint32_t add_node(const struct shader *sh, struct tree *t, const struct m
 	uint64_t key = rng_child(parent->key, s->slot);
 	bool seen_in_mirror = parent->mirrored || s->kind == NODE_REFLECTED;
 
-	if (!shade_worth(sh, level, s->weight))
+	if (!shade_worth(sh, parent->bounce, level, s->weight))
 		return TREE_NONE;
 	i = tree_push(t, &t->node, 1);
 	if (i == TREE_NONE)
@@ -39,6 +40,8 @@ static uint32_t add_node(const struct shader *sh, struct tree *t, const struct m
 							   .weight = s->weight,
 							   .key = key,
 							   .level = level,
+							   .bounce = parent->bounce,
+							   .path = parent->path,
 							   .inside = s->inside,
 							   .skip = m->skip,
 							   .kind = s->kind,
@@ -122,12 +125,13 @@ void shade_spawn(const struct shader *sh, struct tree *t)
 {
 	for (uint32_t i = 0; i < t->met.count && !t->no_memory; i++) {
 		const struct met m = *BUF_AT(&t->met, struct met, i);
+		double bailout = shade_bailout(sh, BUF_AT(&t->node, struct node, m.node)->bounce);
 		uint32_t slot = 0;
 
 		for (uint32_t j = m.first_part; j < m.first_part + m.part_count; j++) {
 			const struct part *p = BUF_AT(&t->part, struct part, j);
 
-			if (p->clear > sh->scene->adc_bailout)
+			if (p->clear > bailout)
 				spawn_through(sh, t, &m, j);
 			p = BUF_AT(&t->part, struct part, j);
 			if (p->total) {
@@ -137,5 +141,6 @@ void shade_spawn(const struct shader *sh, struct tree *t)
 			for (uint32_t k = 0; k < p->mirror_count; k++)
 				spawn_mirror(sh, t, &m, p->first_mirror + k, slot++);
 		}
+		indirect_spawn(sh, t, &m);
 	}
 }

@@ -5,6 +5,7 @@
  * mirror (manual 3.4.6, 3.4.6.9 for layers; weights as max_trace_level and adc_bailout want them,
  * 3.4.1).
  */
+#include "shade/indirect.h"
 #include "shade/pov/finish.h"
 #include "shade/pov/interior.h"
 #include "shade/shade.h"
@@ -23,10 +24,13 @@ static double clearness(struct rgb filter)
 }
 
 /* The light a layer has without lamps. */
-static struct rgb glow(const struct scene *s, const struct finish *f, struct rgb pigment)
+static struct rgb glow(const struct shader *sh, const struct finish *f, struct rgb pigment)
 {
-	struct rgb ambient = rgb_mul(f->ambient, s->ambient_light);
+	struct rgb ambient = rgb_mul(f->ambient, sh->scene->ambient_light);
 
+	/* Ambient stood for indirect light; older scenes keep both. */
+	if (sh->indirect.method != INDIRECT_OFF && sh->scene->version >= 370)
+		ambient = rgb_make(0, 0, 0);
 	return rgb_mul(pigment, rgb_add(ambient, f->emission));
 }
 
@@ -78,6 +82,8 @@ static void add_part(const struct shader *sh, struct tree *t, const struct met *
 {
 	const struct texture *tex;
 	uint32_t index;
+	struct indirect_part indirect = indirect_part(sh, n);
+	double bailout = shade_bailout(sh, n->bounce);
 	struct part p = { .share = share,
 			  .filter = { 1, 1, 1 },
 			  .fade = { 1, 1, 1 },
@@ -92,7 +98,7 @@ static void add_part(const struct shader *sh, struct tree *t, const struct met *
 	index = tree_push(t, &t->part, 1);
 	if (index == TREE_NONE)
 		return;
-	for (uint32_t i = 0; i < tex->count && p.clear > sh->scene->adc_bailout; i++) {
+	for (uint32_t i = 0; i < tex->count && p.clear > bailout; i++) {
 		const struct layer *layer = &tex->layer[i];
 		struct rgb pigment = rgbft_rgb(layer->pigment.colour), reflectivity = { 0, 0, 0 };
 		double opaque = opacity(sh->scene, &layer->pigment.colour);
@@ -100,9 +106,12 @@ static void add_part(const struct shader *sh, struct tree *t, const struct met *
 		if (finish_is_mirror(&layer->finish))
 			add_mirror(sh, t, &p, m, n, &layer->finish, pigment, n->weight * p.clear,
 				   &reflectivity);
-		p.own = rgb_add(p.own, rgb_mul(p.filter, rgb_scale(glow(sh->scene, &layer->finish, pigment),
+		p.own = rgb_add(p.own, rgb_mul(p.filter, rgb_scale(glow(sh, &layer->finish, pigment),
 								   opaque)));
 		add_layer(t, &p, index, m, layer, opaque);
+		if (indirect.wanted)
+			indirect_layer(sh, t, m, &indirect, &layer->finish,
+				       rgb_mul(p.filter, rgb_scale(pigment, opaque)), m->ns, share);
 		p.filter = rgb_mul(p.filter, rgbft_through(layer->pigment.colour));
 		if (layer->finish.conserve_energy)
 			p.filter = rgb_mul(p.filter, rgb_make(fmin(1, 1 - reflectivity.r),
@@ -137,7 +146,8 @@ void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald
 			  .interior = s.interior,
 			  .flags = s.flags,
 			  .first_part = t->part.count,
-			  .first_layer = t->layer.count };
+			  .first_layer = t->layer.count,
+			  .first_gather = t->gather.count };
 	if (from_inside && s.interior_texture != SCENE_NONE) {
 		add_part(sh, t, &m, n, s.interior_texture, 1);
 	} else if (s.texture[0] == s.texture[1] && s.texture[0] == s.texture[2]) {
@@ -145,13 +155,15 @@ void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald
 	} else {
 		/* POV-Ray leaves out textures of a share below adc_bailout. */
 		for (int i = 0; i < 3; i++) {
-			if (s.bary[i] >= sh->scene->adc_bailout)
+			if (s.bary[i] >= shade_bailout(sh, n->bounce))
 				add_part(sh, t, &m, n, s.texture[i], s.bary[i]);
 		}
 	}
 	m.part_count = t->part.count - m.first_part;
 	m.layer_count = t->layer.count - m.first_layer;
 	*BUF_AT(&t->met, struct met, index) = m;
+	BUF_AT(&t->node, struct node, node)->first_gather = m.first_gather;
+	BUF_AT(&t->node, struct node, node)->gather_count = t->gather.count - m.first_gather;
 	BUF_AT(&t->node, struct node, node)->first_part = m.first_part;
 	BUF_AT(&t->node, struct node, node)->part_count = m.part_count;
 }

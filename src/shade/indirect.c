@@ -1,0 +1,273 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Gathering as POV-Ray's radiosity block describes it (manual 3.4.4.3), without its cache: each hit is a
+ * sample of its own. What a gathered ray sees was found by reading and by measuring POV-Ray 3.7
+ * (tests/features/indirect-*): no highlights, area lights as points, neither fog nor media unless
+ * asked for, mirrors and glass as other rays see them, a level and a weight of its own, and the block's
+ * adc_bailout. Whether a hit gathers at all is decided by the first layer that would show enough of
+ * it. Light of the far side is what the second value of diffuse takes. An object's importance only decides
+ * how many rays are spent on it.
+ *
+ * Directions come from Sobol's first two dimensions, shuffled and scrambled after Owen for each hit and each
+ * bounce (Burley, Practical Hash-based Owen Scrambling, JCGT 9(4), 2020), and are mapped to the
+ * hemisphere through the disc of Shirley and Chiu (1997); the frame around a normal is that of Duff et
+ * al., Building an Orthonormal Basis, Revisited, JCGT 6(1), 2017.
+ */
+#include "shade/indirect.h"
+
+#include "base/rng.h"
+#include "shade/pov/shadow.h"
+
+#define GATHER_SLOT 0x300000000u /* of a node's random numbers; two for each gather */
+#define TRIES 32
+#define PI 3.14159265358979323846
+
+static uint32_t reverse_bits(uint32_t x)
+{
+	x = (x >> 16) | (x << 16);
+	x = ((x & 0x00ff00ffu) << 8) | ((x >> 8) & 0x00ff00ffu);
+	x = ((x & 0x0f0f0f0fu) << 4) | ((x >> 4) & 0x0f0f0f0fu);
+	x = ((x & 0x33333333u) << 2) | ((x >> 2) & 0x33333333u);
+	return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
+}
+
+/* A hash in which a bit depends on lower ones only (Laine and Karras 2011, with Burley's constants); of
+ * reversed bits it is a nested uniform scramble. */
+static uint32_t scramble_reversed(uint32_t x, uint32_t seed)
+{
+	x += seed;
+	x ^= x * 0x6c50b47cu;
+	x ^= x * 0xb82f1e52u;
+	x ^= x * 0xc7afe638u;
+	x ^= x * 0x8d22f6e6u;
+	return x;
+}
+
+static uint32_t scramble(uint32_t x, uint32_t seed)
+{
+	return reverse_bits(scramble_reversed(reverse_bits(x), seed));
+}
+
+/* Sobol's second dimension. */
+static uint32_t sobol_1(uint32_t index)
+{
+	uint32_t x = 0, v = 1u << 31;
+
+	for (; index; index >>= 1, v ^= v >> 1) {
+		if (index & 1)
+			x ^= v;
+	}
+	return x;
+}
+
+static double unit(uint32_t x)
+{
+	return (x + 0.5) * 0x1p-32;
+}
+
+static vec around(vec n, double x, double y, double z)
+{
+	double sign = copysign(1, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
+	vec s = { 1 + sign * n.x * n.x * a, sign * b, -sign * n.x };
+	vec t = { b, sign + n.y * n.y * a, -n.y };
+
+	return vec_mad(vec_mad(vec_scale(n, z), s, x), t, y);
+}
+
+static vec hemisphere(vec normal, double u, double v)
+{
+	double a = 2 * u - 1, b = 2 * v - 1, r, phi;
+
+	if (fabs(a) > fabs(b)) {
+		r = a;
+		phi = PI / 4 * (b / a);
+	} else {
+		r = b;
+		phi = b == 0 ? 0 : PI / 2 - PI / 4 * (a / b);
+	}
+	return around(normal, r * cos(phi), r * sin(phi), sqrt(fmax(0, 1 - r * r)));
+}
+
+vec indirect_direction(vec normal, uint32_t index, uint64_t key)
+{
+	uint64_t a = rng_mix(key), b = rng_mix(a);
+	uint32_t i = scramble(index, (uint32_t)a);
+
+	/* reverse_bits(i) is Sobol's first dimension, so that its own reversal cancels. */
+	return hemisphere(normal, unit(reverse_bits(scramble_reversed(i, (uint32_t)(a >> 32)))),
+			  unit(scramble(sobol_1(i), (uint32_t)(b >> 32))));
+}
+
+struct indirect_part indirect_part(const struct shader *sh, const struct node *n)
+{
+	return (struct indirect_part){ .wanted = sh->indirect.method != INDIRECT_OFF &&
+						 n->bounce < sh->scene->radiosity.recursion_limit,
+				       .front = TREE_NONE,
+				       .back = TREE_NONE };
+}
+
+static bool same(vec a, vec b)
+{
+	return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+/* The hit's gather around this normal, made if there is none. */
+static uint32_t find_gather(struct tree *t, const struct met *m, vec normal, bool around_raw)
+{
+	uint32_t i;
+
+	for (i = m->first_gather; i < t->gather.count; i++) {
+		if (same(BUF_AT(&t->gather, struct gather, i)->normal, normal))
+			return i;
+	}
+	i = tree_push(t, &t->gather, 1);
+	if (i != TREE_NONE)
+		*BUF_AT(&t->gather, struct gather, i) =
+			(struct gather){ .normal = normal, .around_raw = around_raw };
+	return i;
+}
+
+static void add_side(const struct shader *sh, struct tree *t, const struct met *m, uint32_t *gather,
+		     struct rgb colour, vec normal, bool back, double share)
+{
+	const struct node *n = BUF_AT(&t->node, struct node, m->node);
+	vec raw = back ? vec_neg(m->ns) : m->ns;
+	struct gather *g;
+
+	if (*gather == TREE_NONE) {
+		if (!(rgb_grey(colour) > shade_bailout(sh, n->bounce)))
+			return;
+		if (!sh->scene->radiosity.normal)
+			normal = raw;
+		*gather = find_gather(t, m, normal, same(normal, raw));
+		if (*gather == TREE_NONE)
+			return;
+	}
+	g = BUF_AT(&t->gather, struct gather, *gather);
+	g->factor = rgb_add(g->factor, rgb_scale(colour, share));
+}
+
+void indirect_layer(const struct shader *sh, struct tree *t, const struct met *m,
+		    struct indirect_part *p, const struct finish *f, struct rgb colour, vec normal, double share)
+{
+	add_side(sh, t, m, &p->front, rgb_scale(colour, f->indirect), normal, false, share);
+	if (f->indirect_back != 0)
+		add_side(sh, t, m, &p->back, rgb_scale(colour, f->indirect_back), vec_neg(normal), true,
+			 share);
+}
+
+/* How many rays: fewer where the pixel shows little of them, a power of two, as the points are best
+ * then, and enough for each replication to have some. */
+static uint32_t ray_count(const struct shader *sh, const struct node *n, const struct gather *g)
+{
+	double share = fmin(1, n->weight) * fmin(1, rgb_max(g->factor));
+	double want = (double)sh->indirect.samples / sh->indirect.replications * share;
+	uint32_t count = 1;
+
+	while (count * 1.4142 < want)
+		count *= 2;
+	return count * sh->indirect.replications;
+}
+
+/* A bent normal may throw rays into the surface; POV-Ray takes other directions then. */
+static vec above(const struct gather *g, const struct met *m, uint32_t index, uint64_t key)
+{
+	vec dir = indirect_direction(g->normal, index, key), raw;
+
+	if (g->around_raw)
+		return dir;
+	raw = vec_dot(g->normal, m->ns) < 0 ? vec_neg(m->ns) : m->ns;
+	for (uint64_t i = 0; i < TRIES && vec_dot(dir, raw) <= 0; i++)
+		dir = indirect_direction(g->normal, index, rng_child(key, i));
+	return vec_dot(dir, raw) > 0 ? dir : indirect_direction(raw, index, key);
+}
+
+static void fill_rays(const struct shader *sh, struct tree *t, const struct met *m, const struct gather *g,
+		      uint64_t slot)
+{
+	const struct node parent = *BUF_AT(&t->node, struct node, m->node);
+	const struct radiosity *r = &sh->scene->radiosity;
+	uint32_t set = g->count / g->replications;
+	struct node child = { .weight = fmax(r->adc_bailout, pow(0.5 * r->brightness, parent.bounce + 1)),
+			      .level = indirect_level(parent.bounce + 1),
+			      .bounce = parent.bounce + 1,
+			      .inside = TREE_NONE,
+			      .skip = m->skip,
+			      .kind = NODE_GATHERED };
+
+	for (uint32_t i = 0; i < g->count; i++) {
+		uint64_t key = rng_child(parent.key, slot);
+
+		if (!parent.bounce)
+			key = rng_child(key, i / set);
+		child.path = parent.bounce ? parent.path : i % set;
+		child.key = rng_child(key, 1);
+		child.dir = above(g, m, child.path, key);
+		child.org = shadow_origin(m, child.dir);
+		*BUF_AT(&t->node, struct node, g->first + i) = child;
+	}
+}
+
+void indirect_spawn(const struct shader *sh, struct tree *t, const struct met *m)
+{
+	const struct node *n = BUF_AT(&t->node, struct node, m->node);
+
+	for (uint32_t i = 0; i < n->gather_count; i++) {
+		struct gather *g = BUF_AT(&t->gather, struct gather, n->first_gather + i);
+
+		g->count = n->bounce ? 1 : ray_count(sh, n, g);
+		g->replications = n->bounce ? 1 : sh->indirect.replications;
+		g->first = tree_push(t, &t->node, g->count);
+		if (g->first == TREE_NONE) {
+			g->count = 0;
+			return;
+		}
+		fill_rays(sh, t, m, g, GATHER_SLOT + i);
+		n = BUF_AT(&t->node, struct node, m->node);
+	}
+}
+
+static struct rgb limited(const struct radiosity *r, struct rgb c)
+{
+	double most = rgb_max(c);
+
+	return r->max_sample > 0 && most > r->max_sample ? rgb_scale(c, r->max_sample / most) : c;
+}
+
+/* As the surface sees it (manual 3.4.4.3.2, .5): a mean on its way to grey, made brighter. */
+static struct rgb seen(const struct radiosity *r, struct rgb c)
+{
+	double grey = rgb_grey(c) * r->gray_threshold, keep = 1 - r->gray_threshold;
+
+	return rgb_scale(rgb_make(c.r * keep + grey, c.g * keep + grey, c.b * keep + grey), r->brightness);
+}
+
+struct rgb indirect_fold(const struct radiosity *r, const struct tree *t, const struct gather *g,
+			 struct rgb *variance)
+{
+	struct rgb sum = { 0, 0, 0 }, squares = { 0, 0, 0 };
+	uint32_t sets = g->replications, each;
+
+	if (variance)
+		*variance = squares;
+	if (!g->count)
+		return sum;
+	each = g->count / sets;
+	for (uint32_t i = 0; i < sets; i++) {
+		struct rgb set = { 0, 0, 0 };
+
+		for (uint32_t k = 0; k < each; k++)
+			set = rgb_add(set, limited(r, BUF_AT(&t->node, struct node, g->first + i * each + k)
+							      ->colour));
+		set = seen(r, rgb_scale(set, 1.0 / each));
+		sum = rgb_add(sum, set);
+		squares = rgb_add(squares, rgb_mul(set, set));
+	}
+	sum = rgb_scale(sum, 1.0 / sets);
+	if (variance && sets > 1) {
+		squares = rgb_add(rgb_scale(squares, 1.0 / sets), rgb_scale(rgb_mul(sum, sum), -1));
+		*variance = rgb_scale(squares, 1.0 / (sets - 1));
+	}
+	return sum;
+}

@@ -14,8 +14,9 @@
 
 enum {
 	KEY_ALPHA = OPTION_LONG_ONLY, KEY_AA, KEY_BITS, KEY_BLUR_SAMPLES, KEY_CAMERA_ONLY, KEY_CLOCK,
-	KEY_CROP, KEY_DRY_RUN, KEY_ERROR_LAYER, KEY_INDIRECT, KEY_INDIRECT_SAMPLES, KEY_SEED, KEY_LENIENT, KEY_LIMIT, KEY_LIST_ACCELS, KEY_MEMORY, KEY_PRINT_COMPLETION,
-	KEY_PROGRESS, KEY_RANGE, KEY_SKIP_EXISTING, KEY_STATS, KEY_TILE, KEY_VERSION
+	KEY_CROP, KEY_DRY_RUN, KEY_ERROR_LAYER, KEY_INDIRECT, KEY_INDIRECT_SAMPLES, KEY_LENIENT, KEY_LIMIT,
+	KEY_LIST_ACCELS, KEY_MEMORY, KEY_PRINT_COMPLETION, KEY_PROGRESS, KEY_RANGE, KEY_SEED,
+	KEY_SKIP_EXISTING, KEY_STATS, KEY_TILE, KEY_VERSION
 };
 
 #define INDIRECT_MAX (1u << 20)
@@ -623,6 +624,13 @@ void settings_plan(const struct settings *s, const struct read_job *job, struct 
 	frames_plan(plan, &f, s->frame, s->frame_count);
 }
 
+static bool ends_in(const char *name, const char *ending)
+{
+	size_t n = strlen(name), m = strlen(ending);
+
+	return n >= m && !strcmp(name + n - m, ending);
+}
+
 enum status settings_finish(struct settings *s, const struct read_job *job, struct diag *d)
 {
 	struct render_options *r = &s->render;
@@ -651,6 +659,8 @@ enum status settings_finish(struct settings *s, const struct read_job *job, stru
 		st = name_after(s, s->scene, ".png", d);
 	if (st)
 		return st;
+	if (r->error && !ends_in(s->output, ".exr"))
+		return diag_fail(d, STATUS_USAGE, NULL, "--error-layer needs a picture in .exr, not %s", s->output);
 	if (r->crop_width && (r->crop_x >= r->width || r->crop_width > r->width - r->crop_x ||
 			      r->crop_y >= r->height || r->crop_height > r->height - r->crop_y))
 		return diag_fail(d, STATUS_USAGE, NULL,

@@ -134,6 +134,8 @@ void stats_text(const struct stats *s, FILE *out)
 		fprintf(out, "frame %u, clock %g, structure %s\n", s->frame, s->clock,
 			s->reused ? "of an earlier frame" : "built");
 	text_rays(s->render, out);
+	if (s->render->error >= 0)
+		fprintf(out, "%-28s %15.6f\n", "mean standard error", s->render->error);
 	text_counters(s, out);
 	text_structure(s, out);
 	text_memory(s->book, out);
@@ -239,6 +241,8 @@ static void json_head(struct json *j, const struct stats *s)
 	json_uint(j, "pixels", s->render->pixels);
 	json_uint(j, "samples", s->render->samples);
 	json_uint(j, "nonfinite", s->render->nonfinite);
+	if (s->render->error >= 0)
+		json_double(j, "mean_error", s->render->error);
 }
 
 bool stats_json(const struct stats *s, FILE *out)

@@ -54,7 +54,7 @@ struct render_counts {
 	uint64_t pixels; /* finished */
 	uint64_t samples;
 	double seconds;
-	double error; /* mean over all pixels of the estimated standard error, if asked for */
+	double error; /* mean over all pixels of the estimated standard error; below 0: not asked for */
 };
 
 /* Render into out, an image of the crop's size made here (R, G, B, A, linear, premultiplied; A is 1 but

@@ -278,7 +278,9 @@ static double mean_error(const struct image *out)
 	size_t pixels = (size_t)out->width * out->height;
 	double sum = 0;
 
-	for (size_t i = 0; out->channels > 4 && i < pixels; i++)
+	if (out->channels < 5)
+		return -1;
+	for (size_t i = 0; i < pixels; i++)
 		sum += (double)out->pixel[i * out->channels + 4];
 	return sum / (double)pixels;
 }

@@ -25,12 +25,13 @@ struct spawn {
 static uint32_t add_node(const struct shader *sh, struct tree *t, const struct met *m,
 			 const struct spawn *s)
 {
-	const struct node *parent = BUF_AT(&t->node, struct node, m->node);
+	const struct node *parent = BUF_AT(&t->node, struct node, m->node); /* gone after the push */
 	uint32_t level = parent->level + (parent->straight ? 0 : 1), i;
+	uint32_t bounce = parent->bounce, path = parent->path;
 	uint64_t key = rng_child(parent->key, s->slot);
 	bool seen_in_mirror = parent->mirrored || s->kind == NODE_REFLECTED;
 
-	if (!shade_worth(sh, parent->bounce, level, s->weight))
+	if (!shade_worth(sh, bounce, level, s->weight))
 		return TREE_NONE;
 	i = tree_push(t, &t->node, 1);
 	if (i == TREE_NONE)
@@ -40,8 +41,8 @@ static uint32_t add_node(const struct shader *sh, struct tree *t, const struct m
 							   .weight = s->weight,
 							   .key = key,
 							   .level = level,
-							   .bounce = parent->bounce,
-							   .path = parent->path,
+							   .bounce = bounce,
+							   .path = path,
 							   .inside = s->inside,
 							   .skip = m->skip,
 							   .kind = s->kind,

@@ -162,6 +162,15 @@ static bool trace_samples(struct worker *w, struct lens_sum *sum, uint32_t n)
 	return true;
 }
 
+/* Of the mean; everything that is random counts. */
+static struct rgb variance(const struct lens_sum *l)
+{
+	struct rgb mean = rgb_scale(l->sum, 1.0 / l->count);
+	struct rgb v = rgb_add(rgb_scale(l->square, 1.0 / l->count), rgb_scale(rgb_mul(mean, mean), -1));
+
+	return rgb_scale(v, 1.0 / (l->count > 1 ? l->count - 1 : 1));
+}
+
 bool lens_trace(struct worker *w, uint32_t first, uint32_t n)
 {
 	struct lens_sum *sum;
@@ -183,6 +192,7 @@ bool lens_trace(struct worker *w, uint32_t first, uint32_t n)
 		struct sample *s = BUF_AT(&w->sample, struct sample, first + i);
 
 		s->colour = rgb_scale(sum[i].sum, 1.0 / sum[i].count);
+		s->variance = variance(&sum[i]);
 		s->transmit = sum[i].transmit / sum[i].count;
 	}
 	return true;

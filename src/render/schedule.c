@@ -14,12 +14,14 @@
 #include "film/tone.h"
 #include "render/aa.h"
 #include "render/render.h"
+#include "shade/camera.h"
 
 #define TILE 32
 #define TILE_MAX 256
 #define AA_MAX 64
 #define AA_DEPTH_MAX 9 /* POV-Ray's own bound */
 #define INDIRECT_SAMPLES 256
+#define LENS_RAYS 32 /* of a sample, at least */
 #define ERROR_SETS 16 /* replications a pixel that its error is estimated from */
 
 struct job {
@@ -226,7 +228,7 @@ static double seconds(void)
 
 /* A sample's share of a pixel's rays: where samples are many, each gathers the less. Method 2's are shared by
  * four pixels, and each pixel has four. */
-static struct indirect indirect_options(const struct render_options *o)
+static struct indirect indirect_options(const struct scene *scene, const struct render_options *o)
 {
 	uint32_t samples = o->indirect_samples ? o->indirect_samples : INDIRECT_SAMPLES, share = 1, sets;
 
@@ -234,6 +236,10 @@ static struct indirect indirect_options(const struct render_options *o)
 		share = o->aa_n * o->aa_n;
 	else if (o->aa == RENDER_AA_POV2)
 		share = 4;
+	if (camera_has_lens(&scene->camera)) /* its rays tell the error themselves */
+		return (struct indirect){ .method = o->indirect,
+					  .samples = samples > share * LENS_RAYS ? samples / share / LENS_RAYS : 1,
+					  .replications = 1 };
 	sets = (ERROR_SETS + share - 1) / share;
 	if (sets < 2)
 		sets = 2;
@@ -302,7 +308,7 @@ enum status render_scene(const struct scene *scene, const struct geometry *geome
 	st = make_image(&j, book, d);
 	if (st)
 		return st;
-	j.indirect = indirect_options(&j.whole);
+	j.indirect = indirect_options(scene, &j.whole);
 	shader_init(&j.shader, scene, geometry, options->alpha, &j.indirect);
 	j.across = (j.whole.crop_width + j.whole.tile - 1) / j.whole.tile;
 	down = (j.whole.crop_height + j.whole.tile - 1) / j.whole.tile;

@@ -9,62 +9,18 @@
  * it. Light of the far side is what the second value of diffuse takes. An object's importance only decides
  * how many rays are spent on it.
  *
- * Directions come from Sobol's first two dimensions, shuffled and scrambled after Owen for each hit and each
- * bounce (Burley, Practical Hash-based Owen Scrambling, JCGT 9(4), 2020), and are mapped to the
- * hemisphere through the disc of Shirley and Chiu (1997); the frame around a normal is that of Duff et
- * al., Building an Orthonormal Basis, Revisited, JCGT 6(1), 2017.
+ * Directions come from low-discrepancy sequences, one for each hit and each bounce after it, and are mapped
+ * to the hemisphere through the disc of Shirley and Chiu (1997); the frame around a normal is that of
+ * Duff et al., Building an Orthonormal Basis, Revisited, JCGT 6(1), 2017.
  */
 #include "shade/indirect.h"
 
-#include "base/rng.h"
+#include "base/sobol.h"
 #include "shade/pov/shadow.h"
 
 #define GATHER_SLOT 0x300000000u /* of a node's random numbers; two for each gather */
 #define TRIES 32
 #define PI 3.14159265358979323846
-
-static uint32_t reverse_bits(uint32_t x)
-{
-	x = (x >> 16) | (x << 16);
-	x = ((x & 0x00ff00ffu) << 8) | ((x >> 8) & 0x00ff00ffu);
-	x = ((x & 0x0f0f0f0fu) << 4) | ((x >> 4) & 0x0f0f0f0fu);
-	x = ((x & 0x33333333u) << 2) | ((x >> 2) & 0x33333333u);
-	return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
-}
-
-/* A hash in which a bit depends on lower ones only (Laine and Karras 2011, with Burley's constants); of
- * reversed bits it is a nested uniform scramble. */
-static uint32_t scramble_reversed(uint32_t x, uint32_t seed)
-{
-	x += seed;
-	x ^= x * 0x6c50b47cu;
-	x ^= x * 0xb82f1e52u;
-	x ^= x * 0xc7afe638u;
-	x ^= x * 0x8d22f6e6u;
-	return x;
-}
-
-static uint32_t scramble(uint32_t x, uint32_t seed)
-{
-	return reverse_bits(scramble_reversed(reverse_bits(x), seed));
-}
-
-/* Sobol's second dimension. */
-static uint32_t sobol_1(uint32_t index)
-{
-	uint32_t x = 0, v = 1u << 31;
-
-	for (; index; index >>= 1, v ^= v >> 1) {
-		if (index & 1)
-			x ^= v;
-	}
-	return x;
-}
-
-static double unit(uint32_t x)
-{
-	return (x + 0.5) * 0x1p-32;
-}
 
 static vec around(vec n, double x, double y, double z)
 {
@@ -91,12 +47,9 @@ static vec hemisphere(vec normal, double u, double v)
 
 vec indirect_direction(vec normal, uint32_t index, uint64_t key)
 {
-	uint64_t a = rng_mix(key), b = rng_mix(a);
-	uint32_t i = scramble(index, (uint32_t)a);
+	struct sobol s = sobol_make(key);
 
-	/* reverse_bits(i) is Sobol's first dimension, so that its own reversal cancels. */
-	return hemisphere(normal, unit(reverse_bits(scramble_reversed(i, (uint32_t)(a >> 32)))),
-			  unit(scramble(sobol_1(i), (uint32_t)(b >> 32))));
+	return hemisphere(normal, sobol_at(&s, index, 0), sobol_at(&s, index, 1));
 }
 
 struct indirect_part indirect_part(const struct shader *sh, const struct node *n)

@@ -65,6 +65,16 @@ static void mesh_normal(const struct prim_leaf *f, const struct mesh *m, uint32_
 		s->ns = n;
 }
 
+static void mesh_uv(const struct mesh *m, uint32_t face, struct surface *s)
+{
+	const uint32_t *i = (m->uv_index ? m->uv_index : m->index) + 3 * (size_t)face;
+
+	for (unsigned k = 0; k < 3; k++) {
+		s->u += s->bary[k] * (double)m->uv[2 * (size_t)i[k]];
+		s->v += s->bary[k] * (double)m->uv[2 * (size_t)i[k] + 1];
+	}
+}
+
 static void mesh_surface(const struct scene *sc, const struct prim_leaf *f, uint32_t face, double u,
 			 double v, struct surface *s)
 {
@@ -75,14 +85,18 @@ static void mesh_surface(const struct scene *sc, const struct prim_leaf *f, uint
 	s->bary[2] = v;
 	if (m->normal && face < m->smooth_count)
 		mesh_normal(f, m, face, s);
+	if (m->uv)
+		mesh_uv(m, face, s);
 	if (!m->texture)
 		return;
 	for (uint32_t k = 0; k < 3; k++) {
 		uint32_t per = m->textures_per_face;
 		uint32_t t = m->texture[(size_t)face * per + (per == 3 ? k : 0)];
 
-		if (t != SCENE_NONE)
+		if (t != SCENE_NONE) {
 			s->texture[k] = t;
+			s->texture_place = &f->place; /* faces' own textures move with the mesh */
+		}
 	}
 }
 
@@ -109,8 +123,11 @@ static void leave_world(const struct prim_level *l, const struct place *at, stru
 	s->error = at->error / l->scale + 4 * ALD_U * (size_of(s->p) + size_of(l->shift));
 }
 
-static void leaf_surface(const struct prim_leaf *f, struct surface *s)
+static void leaf_surface(const struct scene *sc, const struct prim_leaf *f, struct surface *s)
 {
+	s->texture_place = sc->object[f->object].texture_place;
+	s->interior_texture_place = sc->object[f->object].interior_texture_place;
+	s->u = s->v = 0;
 	s->texture[0] = s->texture[1] = s->texture[2] = f->texture;
 	s->interior_texture = f->interior_texture;
 	s->interior = f->interior;
@@ -171,7 +188,7 @@ void surface_at(const struct geometry *g, const ald_ray *ray, const ald_hit *hit
 		}
 	}
 	f = &g->set.leaf[leaf];
-	leaf_surface(f, s);
+	leaf_surface(g->set.scene, f, s);
 	leave_world(l, &at, s);
 	if (mesh)
 		mesh_surface(g->set.scene, f, face, hit->u, hit->v, s);

@@ -39,6 +39,9 @@ struct surface {
 	uint32_t texture[3]; /* scene textures; [1] and [2] equal [0] unless blended by bary; SCENE_NONE:
 				nobody gave one */
 	uint32_t interior_texture; /* or SCENE_NONE */
+	const struct xform *texture_place, *interior_texture_place; /* their coordinates to the world; NULL: the
+								       same */
+	double u, v; /* texture coordinates; 0 unless the scene asks for them */
 	uint32_t interior; /* or SCENE_NONE */
 	uint32_t object; /* the leaf object as a volume: equal for all surfaces of one solid; leaves are
 			    numbered from 0 in the order of the file */

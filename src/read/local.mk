@@ -18,12 +18,17 @@ src_libalidade_la_SOURCES += \
 	src/read/pov/lex.c \
 	src/read/pov/light.c \
 	src/read/pov/macro.c \
+	src/read/pov/map.c \
 	src/read/pov/mesh.c src/read/pov/mesh.h \
 	src/read/pov/mesh2.c \
+	src/read/pov/modifier.c \
 	src/read/pov/name.c \
+	src/read/pov/normal.c \
 	src/read/pov/number.c src/read/pov/number.h \
 	src/read/pov/object.c \
 	src/read/pov/parser.h \
+	src/read/pov/pattern.c src/read/pov/pattern.h \
+	src/read/pov/pigment.c \
 	src/read/pov/pov.c \
 	src/read/pov/picture.c src/read/pov/picture.h \
 	src/read/pov/radiosity.c \
@@ -35,4 +40,5 @@ src_libalidade_la_SOURCES += \
 	src/read/pov/texture.c \
 	src/read/pov/token.c \
 	src/read/pov/use.c \
-	src/read/pov/value.c
+	src/read/pov/value.c \
+	src/read/pov/warp.c

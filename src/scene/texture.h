@@ -17,6 +17,7 @@
 #include "base/diag.h"
 #include "base/vec.h"
 
+struct mem_book;
 struct function; /* a compiled user function */
 
 /* What a point is led through before a pattern is asked, one after the other. */
@@ -28,7 +29,8 @@ enum warp_kind {
 	WARP_PLANAR,
 	WARP_CYLINDRICAL,
 	WARP_SPHERICAL,
-	WARP_TOROIDAL
+	WARP_TOROIDAL,
+	WARP_CUBIC
 };
 
 struct warp {
@@ -48,12 +50,15 @@ struct warp {
 		struct {
 			vec centre;
 			double radius, power, strength;
-			bool inverse, repeats;
+			bool inverse, repeats, uncertain;
+			bool none; /* of a type that does nothing */
 			vec repeat, uncertainty;
 		} hole;
 		struct {
-			vec axis;
-			double orientation, distance, major;
+			vec orientation; /* unit */
+			double exponent; /* dist_exp */
+			double distance; /* planar */
+			double major; /* toroidal */
 		} map; /* planar and its kin */
 	} w;
 };
@@ -65,6 +70,7 @@ enum pattern_kind {
 	PATTERN_HEXAGON,
 	PATTERN_SQUARE,
 	PATTERN_TRIANGULAR,
+	PATTERN_CUBIC,
 	PATTERN_OBJECT,
 	/* all entries, by their weights */
 	PATTERN_AVERAGE,
@@ -81,7 +87,6 @@ enum pattern_kind {
 	PATTERN_BUMPS,
 	PATTERN_CELLS,
 	PATTERN_CRACKLE,
-	PATTERN_CUBIC,
 	PATTERN_CYLINDRICAL,
 	PATTERN_DENSITY_FILE,
 	PATTERN_DENTS,
@@ -168,12 +173,14 @@ struct pattern {
 	enum wave_kind wave;
 	double frequency, phase, exponent; /* value * frequency + phase, then the wave; 1, 0, 1 */
 	uint32_t noise; /* noise_generator: 1, 2 or 3, or 0: the scene's */
-	/* Turbulence that some patterns (marble, wood, agate ...) also use inside. */
+	/* The pattern's own turbulence, which comes behind all warps; marble, wood and agate use it inside
+	 * (of these only agate warps by it as well). */
 	struct {
 		vec amount;
 		uint32_t octaves;
 		double lambda, omega;
 	} turbulence;
+	bool wants_uv; /* something that it is made of is asked at (u, v, 0) */
 	union {
 		vec gradient;
 		struct {
@@ -194,13 +201,19 @@ struct pattern {
 		} quilted;
 		struct {
 			vec slope, altitude; /* unit, or 0: not given */
-			double slope_low, slope_high, altitude_low, altitude_high;
+			double slope_weight; /* altitude has the rest of 1 */
+			double slope_low, slope_width, altitude_low, altitude_width; /* width 0: as is */
 			bool point_at; /* slope is a place to look at */
 		} slope;
-		uint32_t arms; /* spiral */
-		uint32_t tiling, pavement[5]; /* 3.7.1's; unused by 3.7 */
+		int32_t arms; /* spiral */
+		uint32_t tiling;
 		struct {
-			uint32_t kind, iterations, exponent, exterior, interior;
+			uint32_t sides, tiles, number, exterior, interior, form;
+		} pavement;
+		struct {
+			uint32_t magnet; /* 0: none, or the type 1 or 2 */
+			bool julia;
+			uint32_t iterations, exponent, exterior, interior;
 			double exterior_factor, interior_factor, re, im;
 		} fractal;
 		struct picture_place image;
@@ -228,12 +241,15 @@ struct map_entry {
 
 struct map {
 	enum map_kind kind;
+	bool wants_uv, clear; /* some entry is asked at (u, v, 0); lets light through */
 	uint32_t count;
 	struct map_entry *entry;
 };
 
 struct pigment {
 	bool uv; /* all below is asked at (u, v, 0) */
+	bool wants_uv; /* it is, or some part of it */
+	bool clear; /* light may pass somewhere */
 	struct rgbft colour; /* if pattern is NULL */
 	struct pattern *pattern;
 	struct map map; /* colours or pigments; none: grey by value, or what the pattern itself brings */
@@ -241,6 +257,7 @@ struct pigment {
 
 struct normal {
 	bool uv;
+	bool wants_uv;
 	bool no_bump_scale;
 	struct pattern *pattern; /* never NULL */
 	double amount; /* bump_size for a bump_map */
@@ -278,6 +295,7 @@ struct texture {
 	struct map map;
 	bool plain; /* looks the same everywhere: no pattern in it, nor a normal */
 	bool wants_uv; /* some part of it is asked at (u, v, 0) */
+	bool clear; /* light may pass somewhere */
 };
 
 /* The finish that POV-Ray starts from (manual 3.4.6.3). */
@@ -285,7 +303,23 @@ struct finish finish_default(void);
 /* True if light can pass: filter or transmit may be other than 0 in every layer. Pictures with alpha and
  * patterns count as a whole. */
 bool texture_translucent(const struct texture *);
-/* Set plain and wants_uv of this texture and those below it. */
+/* Set what the others know about themselves (wants_uv, clear, plain) from what is below, which has been
+ * examined before. */
+void map_examine(struct map *);
+void pigment_examine(struct pigment *);
+void normal_examine(struct normal *);
 void texture_examine(struct texture *);
+
+/* Deep copies into the scene's arena. What several trees share is copied once, as long as the book of copies
+ * is the same. Of copies: 0 at first; released when all is copied. False, NULL: no memory. */
+struct scene;
+struct copies {
+	struct mem_book *book;
+	uint32_t count, room;
+	struct copy *copy; /* hashed by the original */
+};
+bool scene_adopt_texture(struct scene *, struct copies *, const struct texture *from, struct texture *to);
+struct pigment *scene_adopt_pigment(struct scene *, struct copies *, const struct pigment *);
+void copies_release(struct copies *);
 
 #endif

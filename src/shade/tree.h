@@ -68,6 +68,7 @@ struct part {
 	struct rgb own; /* its own light, all layers */
 	struct rgb filter; /* what all layers let through */
 	struct rgb fade; /* by the way through the interior */
+	vec normal; /* of the topmost layer, bent: refraction goes by it */
 	double clear; /* grey of filter, at most 1 */
 	uint32_t through; /* a node, or TREE_NONE */
 	bool total; /* through is a total reflection, and is not filtered */

@@ -44,6 +44,8 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/spot.pov \
 	tests/features/sweeps.pov \
 	tests/features/terminator.pov \
+	tests/features/texture-maps.pov \
+	tests/features/texture-places.pov \
 	tests/features/union-glass.pov \
 	tests/features/union.pov \
 	tests/features/area-more.exr \
@@ -90,6 +92,8 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/spot.exr \
 	tests/features/sweeps.exr \
 	tests/features/terminator.exr \
+	tests/features/texture-maps.exr \
+	tests/features/texture-places.exr \
 	tests/features/union-glass.exr \
 	tests/features/union.exr \
 	tests/features/room.inc \

@@ -85,7 +85,7 @@ struct pov_interior *pov_read_interior(struct pov *p, const struct pov_interior 
 bool pov_read_material(struct pov *p, struct pov_material *m)
 {
 	struct pov_material *named;
-	struct xform unused = xform_identity;
+	struct xform x;
 	struct pov_texture *t;
 
 	if (!pov_open(p))
@@ -110,8 +110,12 @@ bool pov_read_material(struct pov *p, struct pov_material *m)
 		} else if (pov_token(p) == TOK_PIGMENT || pov_token(p) == TOK_NORMAL ||
 			   pov_token(p) == TOK_FINISH) {
 			pov_texture_part(p, &m->texture);
-		} else if (!pov_accept(p, TOK_UV_MAPPING) && !pov_transform(p, &unused)) {
-			break;
+		} else {
+			x = xform_identity;
+			if (pov_transform(p, &x))
+				m->texture = pov_texture_transform(p, m->texture, &x);
+			else if (!pov_accept(p, TOK_UV_MAPPING))
+				break;
 		}
 	}
 	return pov_close(p, "material");

@@ -171,11 +171,6 @@ static const struct known {
 	{ TOK_SKY_SPHERE, ITEM_SKY_SPHERE, "sky_sphere" },
 	{ TOK_MEDIA, ITEM_MEDIA, "media" },
 	{ TOK_DENSITY, ITEM_DENSITY, "density" },
-	{ TOK_COLOUR_MAP, ITEM_COLOUR_MAP, "color_map" },
-	{ TOK_PIGMENT_MAP, ITEM_PIGMENT_MAP, "pigment_map" },
-	{ TOK_NORMAL_MAP, ITEM_NORMAL_MAP, "normal_map" },
-	{ TOK_TEXTURE_MAP, ITEM_TEXTURE_MAP, "texture_map" },
-	{ TOK_SLOPE_MAP, ITEM_SLOPE_MAP, "slope_map" },
 	{ TOK_DENSITY_MAP, ITEM_DENSITY_MAP, "density_map" },
 };
 
@@ -226,6 +221,22 @@ static struct pov_texture *read_layers(struct pov *p)
 	return all;
 }
 
+static enum pov_item_kind map_item(enum pov_token_kind t)
+{
+	switch (t) {
+	case TOK_COLOUR_MAP:
+		return ITEM_COLOUR_MAP;
+	case TOK_PIGMENT_MAP:
+		return ITEM_PIGMENT_MAP;
+	case TOK_NORMAL_MAP:
+		return ITEM_NORMAL_MAP;
+	case TOK_TEXTURE_MAP:
+		return ITEM_TEXTURE_MAP;
+	default:
+		return ITEM_SLOPE_MAP;
+	}
+}
+
 static void *read_declared(struct pov *p, enum pov_item_kind *kind)
 {
 	struct pov_material m = { 0 };
@@ -237,7 +248,7 @@ static void *read_declared(struct pov *p, enum pov_item_kind *kind)
 		return pov_read_pigment(p, &pov_default_texture(p)->layer[0].pigment);
 	case TOK_NORMAL:
 		*kind = ITEM_NORMAL;
-		return pov_read_normal(p);
+		return pov_read_normal(p, &pov_default_texture(p)->layer[0].normal);
 	case TOK_FINISH:
 		*kind = ITEM_FINISH;
 		return pov_read_finish(p, &pov_default_texture(p)->layer[0].finish);
@@ -260,6 +271,13 @@ static void *read_declared(struct pov *p, enum pov_item_kind *kind)
 	case TOK_MATRIX:
 		*kind = ITEM_TRANSFORM;
 		return read_transform(p);
+	case TOK_COLOUR_MAP:
+	case TOK_PIGMENT_MAP:
+	case TOK_NORMAL_MAP:
+	case TOK_TEXTURE_MAP:
+	case TOK_SLOPE_MAP:
+		*kind = map_item(pov_token(p));
+		return pov_read_map(p, false);
 	default:
 		k = find_known(pov_token(p));
 		if (k) {
@@ -408,6 +426,7 @@ void pov_items_end(struct pov *p)
 {
 	struct pov_state *s = pov_state(p);
 
+	copies_release(&s->copies);
 	if (pov_failed(p))
 		return;
 	/* Version 3.7 takes linear light where nothing is said, older ones do no correction. */

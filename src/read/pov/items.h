@@ -12,13 +12,25 @@
 
 #include "read/pov/parser.h"
 
+/* The trees of textures are those of scene/texture.h, in the parser's arena; what stands in them is never
+ * changed, so that identifiers share it. depth: how many maps stand in one another. */
+struct pov_map { /* ITEM_COLOUR_MAP and its kin */
+	struct map map;
+	struct pov_lack lack; /* of any entry */
+	bool subsurface;
+	uint32_t depth;
+};
+
 struct pov_pigment { /* ITEM_PIGMENT */
-	struct rgbft colour;
+	struct pigment pigment;
 	struct pov_lack lack;
+	uint32_t depth;
 };
 
 struct pov_normal { /* ITEM_NORMAL */
+	struct normal *normal; /* NULL: none */
 	struct pov_lack lack;
+	uint32_t depth;
 };
 
 struct pov_finish { /* ITEM_FINISH */
@@ -34,9 +46,13 @@ struct pov_layer {
 };
 
 struct pov_texture { /* ITEM_TEXTURE */
-	struct pov_lack lack; /* a pattern of textures */
-	uint32_t count; /* of layers, at least 1 */
+	struct pov_lack lack; /* of the pattern */
+	uint32_t count; /* of layers, at least 1; 0: a pattern of textures */
 	struct pov_layer *layer; /* [0] is the topmost */
+	bool uv;
+	struct pattern *pattern;
+	struct pov_map map;
+	struct texture *made; /* memo: the tree, NULL until first asked for */
 	uint32_t index; /* memo: the scene's texture, SCENE_NONE until first used */
 };
 
@@ -77,6 +93,7 @@ struct pov_object { /* ITEM_OBJECT */
 	struct light *light; /* not NULL: a light source, and nothing else */
 	struct pov_mesh *mesh; /* SHAPE_MESH */
 	struct pov_texture *texture, *interior_texture;
+	struct xform texture_place, interior_texture_place; /* transforms that came after them */
 	struct pov_interior *interior;
 	unsigned given; /* enum object_flag: those that were given, on or off */
 	struct pov_lack lack;
@@ -92,6 +109,7 @@ struct pov_other { /* all other kinds: known by name, not yet rendered */
 /* What reading must remember between items; pov_state() gives it. */
 struct pov_state {
 	struct pov_texture *base; /* #default's texture, always one layer */
+	struct copies copies; /* of what has been put into the scene's textures */
 	struct pov_texture first; /* what it is when reading begins */
 	struct pov_layer first_layer;
 	struct pov_camera *camera; /* the last one used */
@@ -125,7 +143,13 @@ double pov_positive(struct pov *, const char *what); /* > 0 */
 
 /* Readers of a block; the current token is its keyword. NULL: an error was reported. */
 struct pov_pigment *pov_read_pigment(struct pov *, const struct pov_pigment *base);
-struct pov_normal *pov_read_normal(struct pov *);
+struct pov_normal *pov_read_normal(struct pov *, const struct pov_normal *base);
+/* The inside of the braces. */
+bool pov_pigment_body(struct pov *, struct pov_pigment *);
+bool pov_normal_body(struct pov *, struct pov_normal *);
+struct pov_texture *pov_texture_body(struct pov *);
+/* color_map, pigment_map ...: of the kind that the current token says. weights: an average's. */
+struct pov_map *pov_read_map(struct pov *, bool weights);
 struct pov_finish *pov_read_finish(struct pov *, const struct pov_finish *base);
 struct pov_texture *pov_read_texture(struct pov *);
 struct pov_interior *pov_read_interior(struct pov *, const struct pov_interior *base);
@@ -148,6 +172,10 @@ void pov_read_background(struct pov *);
 void pov_read_radiosity(struct pov *); /* the block of global_settings */
 void pov_read_importance(struct pov *); /* radiosity { } of an object or #default */
 
+/* The texture with a transform after it: the same one if it looks alike everywhere. */
+struct pov_texture *pov_texture_transform(struct pov *, struct pov_texture *, const struct xform *);
+/* The tree of what was read. NULL: no memory. */
+struct texture *pov_texture_made(struct pov *, struct pov_texture *);
 /* pigment, normal or finish as the current token: *t with its topmost layer changed, or #default's. */
 bool pov_texture_part(struct pov *, struct pov_texture **t);
 /* upper laid over lower; either may be NULL. */

@@ -18,7 +18,7 @@ struct pov_object *pov_object_new(struct pov *p, enum shape_kind kind, const str
 		return NULL;
 	o->weight = 1;
 	o->object.kind = kind;
-	o->object.place = xform_identity;
+	o->object.place = o->texture_place = o->interior_texture_place = xform_identity;
 	o->object.texture = o->object.interior_texture = o->object.interior = SCENE_NONE;
 	o->object.first_child = o->object.next_sibling = SCENE_NONE;
 	o->object.pos = *at;
@@ -290,11 +290,53 @@ static bool read_ignored(struct pov *p, struct pov_object *o)
 	return true;
 }
 
+/* What is read now stands in other coordinates than the texture so far, if there were transforms between. */
+static void settle_texture(struct pov *p, struct pov_object *o)
+{
+	if (!mat_is_identity(&o->texture_place.fwd)) {
+		o->texture = pov_texture_transform(p, o->texture, &o->texture_place);
+		o->texture_place = xform_identity;
+	}
+	if (!mat_is_identity(&o->interior_texture_place.fwd)) {
+		o->interior_texture =
+			pov_texture_transform(p, o->interior_texture, &o->interior_texture_place);
+		o->interior_texture_place = xform_identity;
+	}
+}
+
+static bool read_transform(struct pov *p, struct pov_object *o)
+{
+	struct xform x = xform_identity;
+
+	if (!pov_transform(p, &x))
+		return false;
+	o->object.place = xform_mul(&o->object.place, &x);
+	if (o->texture)
+		o->texture_place = xform_mul(&o->texture_place, &x);
+	if (o->interior_texture)
+		o->interior_texture_place = xform_mul(&o->interior_texture_place, &x);
+	return true;
+}
+
 static bool read_look(struct pov *p, struct pov_object *o)
 {
 	struct pov_material m = { o->texture, o->interior_texture, o->interior };
 	struct pov_texture *t;
 
+	switch (pov_token(p)) {
+	case TOK_TEXTURE:
+	case TOK_INTERIOR_TEXTURE:
+	case TOK_PIGMENT:
+	case TOK_NORMAL:
+	case TOK_FINISH:
+	case TOK_MATERIAL:
+		settle_texture(p, o);
+		break;
+	default:
+		break;
+	}
+	m.texture = o->texture;
+	m.interior_texture = o->interior_texture;
 	switch (pov_token(p)) {
 	case TOK_TEXTURE:
 		t = pov_read_texture(p);
@@ -328,7 +370,7 @@ static void read_modifiers(struct pov *p, struct pov_object *o)
 	while (!pov_failed(p)) {
 		if (pov_token(p) == TOK_INVERSE)
 			read_inverse(p, o);
-		else if (!pov_transform(p, &o->object.place) && !read_look(p, o) && !read_flag(p, o) &&
+		else if (!read_transform(p, o) && !read_look(p, o) && !read_flag(p, o) &&
 			 !read_ignored(p, o))
 			return;
 	}

@@ -1,78 +1,13 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * Pigments, normals and textures (manual 3.4.6), up to plain colours in layers. Patterns are passed over
- * and noted as lacking, to be reported where the texture is used.
+ * Textures (manual 3.4.6): layers of pigment, normal and finish, or a pattern of textures.
  */
 #include <config.h>
 
-#include "read/pov/items.h"
+#include "read/pov/pattern.h"
 
-#include <stdio.h>
 #include <string.h>
-
-/* "checker in a pigment", in the parser's arena. */
-static const char *pattern_name(struct pov *p, const char *block)
-{
-	const char *word = pov_text(p);
-	size_t size = strlen(word) + strlen(block) + 16;
-	char *name = pov_new(p, size);
-
-	if (!name)
-		return block;
-	snprintf(name, size, "%s in a %s", word, block);
-	return name;
-}
-
-static void skip_pattern(struct pov *p, struct pov_lack *lack, const char *block, const char *remedy)
-{
-	if (pov_token(p) != TOK_IDENT && pov_token(p) <= TOK_BACKSLASH)
-		return; /* neither a word nor a name that stands for something */
-	pov_lack_note(p, lack, pattern_name(p, block), remedy);
-	pov_skip_rest(p);
-}
-
-struct pov_pigment *pov_read_pigment(struct pov *p, const struct pov_pigment *base)
-{
-	struct pov_pigment pigment = *base, *named;
-	struct xform unused = xform_identity;
-
-	if (!pov_open(p))
-		return NULL;
-	named = pov_take(p, ITEM_PIGMENT);
-	if (named)
-		pigment = *named;
-	while (!pov_failed(p)) {
-		if (pov_accept(p, TOK_UV_MAPPING) || pov_transform(p, &unused)) {
-			continue; /* the same colour everywhere */
-		} else if (pov_accept(p, TOK_QUICK_COLOUR)) {
-			pov_finite_colour(p, "quick_color"); /* for previews only */
-		} else if (pov_starts_colour(p)) {
-			pigment.colour = pov_finite_colour(p, "the pigment's colour");
-			pigment.lack = (struct pov_lack){ 0 };
-		} else {
-			skip_pattern(p, &pigment.lack, "pigment", "give the pigment a plain colour");
-			break;
-		}
-	}
-	return pov_close(p, "pigment") ? pov_copy(p, &pigment, sizeof(pigment)) : NULL;
-}
-
-struct pov_normal *pov_read_normal(struct pov *p)
-{
-	struct pov_normal normal = { 0 }, *named;
-	struct xform unused = xform_identity;
-
-	if (!pov_open(p))
-		return NULL;
-	named = pov_take(p, ITEM_NORMAL);
-	if (named)
-		normal = *named;
-	while (!pov_failed(p) && (pov_accept(p, TOK_UV_MAPPING) || pov_transform(p, &unused)))
-		;
-	skip_pattern(p, &normal.lack, "normal", "remove normal { }");
-	return pov_close(p, "normal") ? pov_copy(p, &normal, sizeof(normal)) : NULL;
-}
 
 static struct pov_texture *texture_new(struct pov *p, uint32_t layers)
 {
@@ -82,6 +17,8 @@ static struct pov_texture *texture_new(struct pov *p, uint32_t layers)
 		return NULL;
 	t->count = layers;
 	t->index = SCENE_NONE;
+	if (!layers)
+		return t;
 	t->layer = pov_new(p, layers * sizeof(*t->layer));
 	return t->layer ? t : NULL;
 }
@@ -92,8 +29,99 @@ static struct pov_texture *texture_copy(struct pov *p, const struct pov_texture 
 
 	if (!t)
 		return NULL;
+	if (from->count)
+		memcpy(t->layer, from->layer, from->count * sizeof(*t->layer));
 	t->lack = from->lack;
-	memcpy(t->layer, from->layer, from->count * sizeof(*t->layer));
+	t->uv = from->uv;
+	t->pattern = from->pattern;
+	t->map = from->map;
+	return t;
+}
+
+static bool moves(const struct pigment *pigment)
+{
+	return pigment->pattern && !pigment->uv;
+}
+
+static bool move_layer(struct pov *p, struct pov_layer *l, const struct xform *x)
+{
+	struct normal *n;
+
+	if (moves(&l->pigment.pigment)) {
+		l->pigment.pigment.pattern = pattern_transform(p, l->pigment.pigment.pattern, x);
+		if (!l->pigment.pigment.pattern)
+			return false;
+	}
+	if (!l->normal.normal || l->normal.normal->uv || !l->normal.normal->pattern)
+		return true;
+	n = pov_copy(p, l->normal.normal, sizeof(*n));
+	if (!n)
+		return false;
+	n->pattern = pattern_transform(p, n->pattern, x);
+	l->normal.normal = n;
+	return n->pattern != NULL;
+}
+
+/* Transforms change patterns that are not asked at (u, v, 0). */
+static bool texture_moves(const struct pov_texture *t)
+{
+	if (t->pattern)
+		return true;
+	for (uint32_t i = 0; i < t->count; i++) {
+		if (moves(&t->layer[i].pigment.pigment) ||
+		    (t->layer[i].normal.normal && !t->layer[i].normal.normal->uv))
+			return true;
+	}
+	return false;
+}
+
+struct pov_texture *pov_texture_transform(struct pov *p, struct pov_texture *from, const struct xform *x)
+{
+	struct pov_texture *t;
+
+	if (!from || from->uv || !texture_moves(from) || mat_is_identity(&x->fwd))
+		return from;
+	t = texture_copy(p, from);
+	if (!t)
+		return NULL;
+	if (t->pattern) {
+		t->pattern = pattern_transform(p, t->pattern, x);
+		return t->pattern ? t : NULL;
+	}
+	for (uint32_t i = 0; i < t->count; i++) {
+		if (!move_layer(p, &t->layer[i], x))
+			return NULL;
+	}
+	return t;
+}
+
+struct texture *pov_texture_made(struct pov *p, struct pov_texture *from)
+{
+	struct texture *t = from->made;
+
+	if (t)
+		return t;
+	t = pov_new(p, sizeof(*t));
+	if (!t)
+		return NULL;
+	*t = (struct texture){ .count = from->count,
+			       .uv = from->uv,
+			       .pattern = from->pattern,
+			       .map = from->map.map };
+	if (t->count) {
+		t->layer = pov_new(p, t->count * sizeof(*t->layer));
+		if (!t->layer)
+			return NULL;
+	}
+	for (uint32_t i = 0; i < t->count; i++) {
+		const struct pov_layer *l = &from->layer[i];
+
+		t->layer[i] = (struct layer){ .pigment = l->pigment.pigment,
+					      .normal = l->normal.normal,
+					      .finish = l->finish.finish };
+	}
+	texture_examine(t);
+	from->made = t;
 	return t;
 }
 
@@ -103,6 +131,10 @@ struct pov_texture *pov_texture_over(struct pov *p, struct pov_texture *upper, s
 
 	if (!upper || !lower)
 		return upper ? upper : lower;
+	if (upper->pattern || lower->pattern || upper->uv || lower->uv) {
+		pov_fail(p, "a texture that is a pattern of textures can be no layer");
+		return NULL;
+	}
 	if (lower->count > 4096) {
 		pov_fail(p, "a texture has more than 4096 layers");
 		return NULL;
@@ -112,8 +144,6 @@ struct pov_texture *pov_texture_over(struct pov *p, struct pov_texture *upper, s
 		return NULL;
 	memcpy(t->layer, upper->layer, upper->count * sizeof(*t->layer));
 	memcpy(t->layer + upper->count, lower->layer, lower->count * sizeof(*t->layer));
-	t->lack = upper->lack;
-	pov_lack_add(&t->lack, &lower->lack);
 	return t;
 }
 
@@ -134,7 +164,7 @@ static bool read_part(struct pov *p, struct pov_layer *layer, bool idents)
 		pigment = pov_read_pigment(p, &layer->pigment);
 		break;
 	case TOK_NORMAL:
-		normal = pov_read_normal(p);
+		normal = pov_read_normal(p, &layer->normal);
 		break;
 	case TOK_FINISH:
 		finish = pov_read_finish(p, &layer->finish);
@@ -159,82 +189,209 @@ bool pov_texture_part(struct pov *p, struct pov_texture **t)
 {
 	struct pov_texture *changed;
 
-	if (*t && (*t)->lack.construct)
-		changed = pov_texture_over(p, pov_default_texture(p), *t);
-	else
-		changed = texture_copy(p, *t ? *t : pov_default_texture(p));
+	if (*t && !(*t)->count) {
+		pov_fail(p, "%s cannot change a texture that is a pattern of textures", pov_text(p));
+		return false;
+	}
+	changed = texture_copy(p, *t ? *t : pov_default_texture(p));
 	if (!changed || !read_part(p, changed->layer, false))
 		return false;
 	*t = changed;
 	return true;
 }
 
-static bool texture_words(struct pov *p, struct pov_texture *t)
+static bool transform_words(struct pov *p, struct pov_texture **t)
 {
-	struct xform unused = xform_identity;
-	bool changed = false;
+	struct xform x = xform_identity;
+	bool any = false;
 
-	while (!pov_failed(p)) {
-		if (read_part(p, t->layer, true) || pov_transform(p, &unused))
+	while (pov_transform(p, &x))
+		any = true;
+	if (any && !pov_failed(p))
+		*t = pov_texture_transform(p, *t, &x);
+	return any;
+}
+
+/* What changes a texture of layers; false: nothing was there. */
+static bool layer_words(struct pov *p, struct pov_texture **t)
+{
+	bool changed = false, own = false; /* own: *t is ours alone */
+	struct pov_texture *copy;
+
+	while (!pov_failed(p) && *t) {
+		if (transform_words(p, t) || pov_accept(p, TOK_NO_BUMP_SCALE)) {
 			changed = true;
-		else if (!pov_accept(p, TOK_NO_BUMP_SCALE) && !pov_accept(p, TOK_UV_MAPPING))
+			own = false;
+			continue;
+		}
+		copy = own ? *t : texture_copy(p, *t);
+		if (!copy || !read_part(p, copy->layer, true))
 			break;
+		*t = copy;
+		changed = own = true;
 	}
 	return changed;
 }
 
+/* tiles { texture ... tile2 texture ... }: checker as before version 3; the first is number 1. */
+static void read_tiles(struct pov *p, struct pattern_draft *d)
+{
+	pov_lack_note(p, &d->lack, "tiles", "use checker texture { } texture { }");
+	d->given = true;
+	pov_next(p);
+	pov_skip_block(p);
+}
+
+static void read_material_map(struct pov *p, struct pattern_draft *d)
+{
+	pov_lack_note(p, &d->lack, "material_map", NULL);
+	d->given = true;
+	pov_next(p);
+	pov_skip_block(p);
+}
+
+/* texture { PATTERN texture_map { ... } ... } */
+static struct pov_texture *read_pattern(struct pov *p)
+{
+	struct pov_texture *t = pov_new(p, sizeof(*t));
+	struct pattern_draft d;
+
+	if (!t)
+		return NULL;
+	pattern_draft_init(&d, IN_TEXTURE, NULL);
+	if (pov_token(p) == TOK_TILES)
+		read_tiles(p, &d);
+	else if (pov_token(p) == TOK_MATERIAL_MAP)
+		read_material_map(p, &d);
+	else if (!pattern_word(p, &d))
+		return NULL;
+	d.average = d.pattern.kind == PATTERN_AVERAGE;
+	pattern_modifiers(p, &d);
+	if (!d.map.map.count && !d.lack.construct && !pov_failed(p))
+		pov_fail(p, "a texture with a pattern needs a texture_map");
+	t->index = SCENE_NONE;
+	t->map = d.map;
+	t->pattern = pattern_finish(p, &d);
+	t->lack = d.lack;
+	return t->pattern ? t : NULL;
+}
+
+static struct pov_texture *read_uv(struct pov *p)
+{
+	struct pov_texture *t;
+
+	if (!pov_nest(p))
+		return NULL;
+	t = pov_texture_body(p);
+	pov_unnest(p);
+	if (t)
+		t = texture_copy(p, t);
+	if (t)
+		t->uv = true;
+	return t;
+}
+
+struct pov_texture *pov_texture_body(struct pov *p)
+{
+	struct pov_texture *named = pov_take(p, ITEM_TEXTURE), *t;
+
+	t = named ? named : pov_default_texture(p);
+	/* texture { NAME } and texture { } alone, as in most exports, need no copy. */
+	if (pov_token(p) == TOK_RIGHT_BRACE || pov_token(p) == TOK_RIGHT_SQUARE)
+		return t;
+	if (!t->count || t->uv) {
+		while (transform_words(p, &t) || pov_accept(p, TOK_NO_BUMP_SCALE))
+			;
+		return pov_failed(p) ? NULL : t;
+	}
+	if (layer_words(p, &t) || named || pov_failed(p))
+		return pov_failed(p) ? NULL : t;
+	return pov_accept(p, TOK_UV_MAPPING) ? read_uv(p) : read_pattern(p);
+}
+
 struct pov_texture *pov_read_texture(struct pov *p)
 {
-	struct pov_texture *named, *t;
-	bool changed;
+	struct pov_texture *t;
 
 	if (!pov_open(p))
 		return NULL;
-	named = pov_take(p, ITEM_TEXTURE);
-	/* texture { NAME } and texture { } alone, as in most exports, need no copy. */
-	if (pov_token(p) == TOK_RIGHT_BRACE)
-		return pov_close(p, "texture") ? (named ? named : pov_default_texture(p)) : NULL;
-	t = texture_copy(p, named ? named : pov_default_texture(p));
-	if (!t)
-		return NULL;
-	changed = texture_words(p, t);
-	if (!named && !changed)
-		skip_pattern(p, &t->lack, "texture", "use a texture with one pigment");
+	t = pov_texture_body(p);
 	return pov_close(p, "texture") ? t : NULL;
 }
 
-static bool use_layer(struct pov *p, const struct pov_layer *from, struct layer *to)
+static bool use_layer(struct pov *p, const struct pov_layer *from)
 {
-	struct pov_state *s = pov_state(p);
+	return pov_lack_use(p, &from->pigment.lack) && pov_lack_use(p, &from->normal.lack) &&
+	       pov_lack_use(p, &from->finish.lack);
+}
 
-	if (!pov_lack_use(p, &from->pigment.lack) || !pov_lack_use(p, &from->normal.lack) ||
-	    !pov_lack_use(p, &from->finish.lack))
+/* What cannot be drawn is reported here, where it is used. */
+static bool use_all(struct pov *p, const struct pov_texture *t)
+{
+	bool subsurface = t->map.subsurface;
+
+	if (!pov_lack_use(p, &t->lack) || !pov_lack_use(p, &t->map.lack))
 		return false;
-	if (from->finish.subsurface && !s->finish_subsurface.construct)
-		pov_lack_note(p, &s->finish_subsurface, "subsurface light transport",
+	for (uint32_t i = 0; i < t->count; i++) {
+		if (!use_layer(p, &t->layer[i]))
+			return false;
+		subsurface |= t->layer[i].finish.subsurface;
+	}
+	if (subsurface && !pov_state(p)->finish_subsurface.construct)
+		pov_lack_note(p, &pov_state(p)->finish_subsurface, "subsurface light transport",
 			      "remove subsurface { } from global_settings");
-	to->pigment.colour = from->pigment.colour;
-	to->finish = from->finish.finish;
 	return true;
+}
+
+/* With --lenient, what lacks something is drawn in plain colours. */
+static void make_plain(struct pov_texture *t)
+{
+	if (t->lack.construct || t->map.lack.construct) {
+		t->pattern = NULL;
+		t->map.map = (struct map){ .kind = MAP_NONE };
+	}
+	for (uint32_t i = 0; i < t->count; i++) {
+		struct pov_layer *l = &t->layer[i];
+
+		if (l->pigment.lack.construct)
+			l->pigment.pigment = (struct pigment){ .colour = l->pigment.pigment.colour };
+		if (l->normal.lack.construct)
+			l->normal.normal = NULL;
+	}
+}
+
+static bool lacks(const struct pov_texture *t)
+{
+	bool any = t->lack.construct || t->map.lack.construct;
+
+	for (uint32_t i = 0; i < t->count; i++)
+		any |= t->layer[i].pigment.lack.construct || t->layer[i].normal.lack.construct;
+	return any;
 }
 
 uint32_t pov_use_texture(struct pov *p, struct pov_texture *t)
 {
 	struct scene *s = pov_scene(p);
+	struct pov_texture *from = t;
+	struct texture *made;
 	uint32_t index;
 
 	if (t->index != SCENE_NONE || pov_failed(p))
 		return t->index;
-	if (!pov_lack_use(p, &t->lack))
+	if (!use_all(p, t))
 		return SCENE_NONE;
-	index = scene_add_texture(s, t->count);
-	if (index == SCENE_NONE) {
+	if (lacks(t)) {
+		from = texture_copy(p, t->count ? t : pov_default_texture(p));
+		if (!from)
+			return SCENE_NONE;
+		make_plain(from);
+	}
+	made = pov_texture_made(p, from);
+	index = made ? scene_add_texture(s, 0) : SCENE_NONE;
+	pov_state(p)->copies.book = pov_book(p);
+	if (index == SCENE_NONE || !scene_adopt_texture(s, &pov_state(p)->copies, made, &s->texture[index])) {
 		pov_no_memory(p);
 		return SCENE_NONE;
-	}
-	for (uint32_t i = 0; i < t->count; i++) {
-		if (!use_layer(p, &t->layer[i], &s->texture[index].layer[i]))
-			return SCENE_NONE;
 	}
 	t->index = index;
 	return index;

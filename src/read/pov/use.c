@@ -16,11 +16,12 @@
 /* What an object gets from the unions around it. */
 struct context {
 	struct pov_texture *texture, *interior_texture;
+	struct xform texture_place, interior_texture_place; /* their coordinates to the scene's */
 	struct pov_interior *interior;
 	unsigned flags; /* all of the unions', to be added */
 	unsigned hollow, hollow_given;
 	unsigned double_illuminate, double_given;
-	struct mat place; /* to the scene, for lights */
+	struct xform place; /* to the scene */
 	uint32_t solid; /* the union that gave the interior, or SCENE_NONE */
 };
 
@@ -114,13 +115,37 @@ static bool use_mesh_textures(struct pov *p, struct pov_mesh *m)
 	return !pov_failed(p);
 }
 
+/* Where a texture lies, in the scene's arena; NULL: nowhere in particular. */
+static struct xform *use_place(struct pov *p, uint32_t texture, const struct xform *place)
+{
+	struct xform *x;
+
+	if (texture == SCENE_NONE || pov_scene(p)->texture[texture].plain || mat_is_identity(&place->fwd))
+		return NULL;
+	x = (void *)arena_memdup(&pov_scene(p)->arena, place, sizeof(*place));
+	if (!x)
+		pov_no_memory(p);
+	return x;
+}
+
+/* Textures that are asked at (u, v, 0) need a shape that has such coordinates. */
+static bool check_uv(struct pov *p, const struct pov_object *o, uint32_t texture)
+{
+	if (texture == SCENE_NONE || !pov_scene(p)->texture[texture].wants_uv)
+		return true;
+	return pov_unsupported(p, &o->object.pos, "uv_mapping", NULL);
+}
+
 /* Flags, textures and interior of a shape that is no union. */
 static bool use_look(struct pov *p, struct pov_object *o, const struct context *c, struct object *out)
 {
+	const struct xform *place = &c->texture_place;
 	struct pov_texture *t = c->texture;
 
-	if (o->mesh && o->mesh->uniform)
+	if (o->mesh && o->mesh->uniform) {
 		t = o->mesh->uniform;
+		place = &c->place; /* faces' own textures move with the mesh */
+	}
 	if (o->mesh && !use_mesh_textures(p, o->mesh))
 		return false;
 	/* A mesh whose faces all have textures of their own needs none. */
@@ -128,6 +153,10 @@ static bool use_look(struct pov *p, struct pov_object *o, const struct context *
 		out->texture = pov_use_texture(p, t ? t : pov_default_texture(p));
 	if (c->interior_texture)
 		out->interior_texture = pov_use_texture(p, c->interior_texture);
+	if (!check_uv(p, o, out->texture) || !check_uv(p, o, out->interior_texture))
+		return false;
+	out->texture_place = use_place(p, out->texture, place);
+	out->interior_texture_place = use_place(p, out->interior_texture, &c->interior_texture_place);
 	out->flags |= c->flags | c->hollow | c->double_illuminate;
 	out->interior = use_interior(p, c->interior, c->hollow);
 	return !pov_failed(p);
@@ -139,10 +168,14 @@ static void enter(struct pov_object *o, const struct context *c, struct context 
 	unsigned own = o->object.flags;
 
 	*inner = *c;
-	if (o->texture)
+	if (o->texture) {
 		inner->texture = o->texture;
-	if (o->interior_texture)
+		inner->texture_place = xform_mul(&o->texture_place, &c->place);
+	}
+	if (o->interior_texture) {
 		inner->interior_texture = o->interior_texture;
+		inner->interior_texture_place = xform_mul(&o->interior_texture_place, &c->place);
+	}
 	if (o->interior)
 		inner->interior = o->interior;
 	inner->flags |= own & ~HANDED_DOWN & ~(unsigned)OBJECT_INVERSE;
@@ -154,7 +187,7 @@ static void enter(struct pov_object *o, const struct context *c, struct context 
 		inner->double_given = OBJECT_DOUBLE_ILLUMINATE;
 		inner->double_illuminate = own & OBJECT_DOUBLE_ILLUMINATE;
 	}
-	inner->place = mat_mul(&o->object.place.fwd, &c->place);
+	inner->place = xform_mul(&o->object.place, &c->place);
 }
 
 static bool use_children(struct pov *p, struct pov_object *o, const struct context *inner,
@@ -213,7 +246,7 @@ static bool use_object(struct pov *p, struct pov_object *o, const struct context
 	}
 	enter(o, c, &inner);
 	if (o->light)
-		return use_light(p, o, &inner.place);
+		return use_light(p, o, &inner.place.fwd);
 	if (o->mesh && !pov_scene(p)->mesh[o->mesh->index].triangle_count)
 		return true; /* all its triangles were without area */
 	*index = scene_add_object(pov_scene(p));
@@ -237,7 +270,10 @@ static bool use_object(struct pov *p, struct pov_object *o, const struct context
 
 void pov_use_object(struct pov *p, struct pov_object *o)
 {
-	struct context c = { .place = mat_identity, .solid = SCENE_NONE };
+	struct context c = { .place = xform_identity,
+			     .texture_place = xform_identity,
+			     .interior_texture_place = xform_identity,
+			     .solid = SCENE_NONE };
 	uint32_t index;
 
 	if (!o || pov_failed(p) || !count_objects(p, o))

@@ -11,6 +11,7 @@
 #include "base/rng.h"
 #include "shade/pov/interior.h"
 #include "shade/pov/media.h"
+#include "shade/pov/point.h"
 
 #define BATCH 1024
 #define CAUSTICS_POWER 45 /* measured: caustics 1 narrows the light to the 45th power */
@@ -27,38 +28,63 @@ static void make_ray(ald_ray *r, const struct shadow *s, uint32_t mask)
 			.after_sub = { ALD_NONE, ALD_NONE } };
 }
 
-/* What a texture lets through; fake caustics brighten where the light falls straight (3.4.8.1.3). */
-static struct rgb texture_filter(const struct scene *s, uint32_t texture, double caustics,
-				 double cosine)
+/* Looking at what a surface lets through. */
+struct filtering {
+	const struct scene *scene;
+	double caustics, cosine;
+	struct rgb sum;
+};
+
+/* What a texture of layers lets through; fake caustics brighten where the light falls straight (3.4.8.1.3). */
+static void add_filter(void *self, const struct texture *t, const struct pattern_point *at, double share)
 {
-	const struct texture *t = &s->texture[texture];
-	struct rgb f = { 1, 1, 1 };
+	struct filtering *f = self;
+	struct rgb through = { 1, 1, 1 };
 
 	for (uint32_t i = 0; i < t->count; i++) {
-		f = rgb_mul(f, rgbft_through(t->layer[i].pigment.colour));
-		if (caustics != 0)
-			f = rgb_scale(f, 1 + pow(fabs(cosine), CAUSTICS_POWER * caustics));
+		const struct pigment *p = &t->layer[i].pigment;
+
+		through = rgb_mul(through,
+				  rgbft_through(p->pattern ? pigment_at(f->scene, p, at) : p->colour));
+		if (f->caustics != 0)
+			through = rgb_scale(through, 1 + pow(fabs(f->cosine), CAUSTICS_POWER * f->caustics));
 	}
-	return f;
+	f->sum = rgb_add(f->sum, rgb_scale(through, share));
+}
+
+static void filter_texture(struct filtering *f, const struct surface *s, uint32_t texture,
+			   const struct xform *place, vec dir, double share)
+{
+	const struct texture *t = &f->scene->texture[texture];
+	struct pattern_point at;
+
+	if (t->plain) {
+		add_filter(f, t, NULL, share);
+		return;
+	}
+	at = texture_point(s, place, f->cosine > 0 ? vec_neg(s->ns) : s->ns, dir);
+	texture_visit(f->scene, t, &at, share, add_filter, f);
 }
 
 static struct rgb surface_filter(const struct shader *sh, const struct surface *s, vec dir)
 {
 	const struct scene *scene = sh->scene;
-	double caustics = s->interior == SCENE_NONE ? 0 : scene->interior[s->interior].caustics;
-	double cosine = vec_dot(s->ns, dir);
-	struct rgb f = { 0, 0, 0 };
+	struct filtering f = { .scene = scene,
+			       .caustics = s->interior == SCENE_NONE ? 0 : scene->interior[s->interior].caustics,
+			       .cosine = vec_dot(s->ns, dir) };
 
-	if (cosine > 0 && s->interior_texture != SCENE_NONE)
-		return texture_filter(scene, s->interior_texture, caustics, cosine);
-	if (s->texture[0] == s->texture[1] && s->texture[0] == s->texture[2] && s->texture[0] != SCENE_NONE)
-		return texture_filter(scene, s->texture[0], caustics, cosine);
-	for (int i = 0; i < 3; i++) {
-		if (s->bary[i] >= scene->adc_bailout && s->texture[i] != SCENE_NONE)
-			f = rgb_add(f, rgb_scale(texture_filter(scene, s->texture[i], caustics, cosine),
-						 s->bary[i]));
+	if (f.cosine > 0 && s->interior_texture != SCENE_NONE) {
+		filter_texture(&f, s, s->interior_texture, s->interior_texture_place, dir, 1);
+	} else if (s->texture[0] == s->texture[1] && s->texture[0] == s->texture[2] &&
+		   s->texture[0] != SCENE_NONE) {
+		filter_texture(&f, s, s->texture[0], s->texture_place, dir, 1);
+	} else {
+		for (int i = 0; i < 3; i++) {
+			if (s->bary[i] >= scene->adc_bailout && s->texture[i] != SCENE_NONE)
+				filter_texture(&f, s, s->texture[i], s->texture_place, dir, s->bary[i]);
+		}
 	}
-	return f;
+	return f.sum;
 }
 
 /* The ray went from t0 to this clear surface: take off what was lost. */

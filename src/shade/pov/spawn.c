@@ -91,16 +91,16 @@ static void spawn_through(const struct shader *sh, struct tree *t, const struct 
 	if (fabs(ratio - 1) < SAME) {
 		s.straight = true;
 	} else {
-		c = -vec_dot(dir, m->ns);
+		c = -vec_dot(dir, p->normal);
 		k = 1 + ratio * ratio * (c * c - 1);
 		if (k < 0) {
 			p->total = true;
-			s.dir = mirrored(dir, m->ns, m->ns);
+			s.dir = mirrored(dir, p->normal, m->ns);
 			s.kind = NODE_REFLECTED;
 			s.inside = before;
 			s.clear_sky = false;
 		} else {
-			s.dir = vec_unit(vec_mad(vec_scale(dir, ratio), m->ns, ratio * c - sqrt(k)));
+			s.dir = vec_unit(vec_mad(vec_scale(dir, ratio), p->normal, ratio * c - sqrt(k)));
 		}
 	}
 	child = add_node(sh, t, m, &s);

@@ -8,6 +8,7 @@
 #include "shade/indirect.h"
 #include "shade/pov/finish.h"
 #include "shade/pov/interior.h"
+#include "shade/pov/point.h"
 #include "shade/shade.h"
 
 /* How much of its own light a layer shows. Before 3.7 POV-Ray weighed filter by the colour. */
@@ -34,16 +35,32 @@ static struct rgb glow(const struct shader *sh, const struct finish *f, struct r
 	return rgb_mul(pigment, rgb_add(ambient, f->emission));
 }
 
-static void add_mirror(const struct shader *sh, struct tree *t, struct part *p, const struct met *m,
-		       const struct node *n, const struct finish *f, struct rgb pigment, double weight,
+/* What is needed to look at the texture of a hit. */
+struct looking {
+	const struct shader *sh;
+	struct tree *t;
+	const struct met *m;
+	const struct node *n;
+};
+
+/* A layer as it is at the point. */
+struct looked {
+	const struct finish *finish;
+	struct rgbft colour;
+	vec normal;
+};
+
+static void add_mirror(const struct looking *l, struct part *p, const struct looked *at, double weight,
 		       struct rgb *reflectivity)
 {
-	double cosine = -vec_dot(n->dir, m->ns), ior = 1;
+	struct tree *t = l->t;
+	const struct finish *f = at->finish;
+	double cosine = -vec_dot(l->n->dir, at->normal), ior = 1;
 	uint32_t i;
 
 	if (f->reflection_fresnel)
-		ior = interior_relative_ior(sh->scene, t, n->inside, m->object, m->interior);
-	*reflectivity = finish_reflectivity(f, cosine, ior, pigment);
+		ior = interior_relative_ior(l->sh->scene, t, l->n->inside, l->m->object, l->m->interior);
+	*reflectivity = finish_reflectivity(f, cosine, ior, rgbft_rgb(at->colour));
 	if (reflectivity->r == 0 && reflectivity->g == 0 && reflectivity->b == 0)
 		return;
 	i = tree_push(t, &t->mirror, 1);
@@ -53,73 +70,116 @@ static void add_mirror(const struct shader *sh, struct tree *t, struct part *p, 
 		(struct mirror){ .reflectivity = *reflectivity,
 				 .exponent = 1 / f->reflection_exponent,
 				 .weight = weight * finish_mirror_weight(f, cosine, ior),
-				 .normal = m->ns,
+				 .normal = at->normal,
 				 .child = TREE_NONE };
 	p->mirror_count++;
 }
 
-static void add_layer(struct tree *t, struct part *p, uint32_t part, const struct met *m,
-		      const struct layer *layer, double opaque)
+static void add_layer(struct tree *t, struct part *p, uint32_t part, const struct looked *at, double opaque)
 {
 	uint32_t i;
 
-	if (!finish_needs_light(&layer->finish))
+	if (!finish_needs_light(at->finish))
 		return;
 	i = tree_push(t, &t->layer, 1);
 	if (i == TREE_NONE)
 		return;
-	*BUF_AT(&t->layer, struct lit_layer, i) = (struct lit_layer){ .finish = &layer->finish,
-								     .pigment = rgbft_rgb(layer->pigment.colour),
+	*BUF_AT(&t->layer, struct lit_layer, i) = (struct lit_layer){ .finish = at->finish,
+								     .pigment = rgbft_rgb(at->colour),
 								     .filter = p->filter,
 								     .opacity = opaque,
-								     .normal = m->ns,
+								     .normal = at->normal,
 								     .part = part };
 	p->layer_count++;
 }
 
-static void add_part(const struct shader *sh, struct tree *t, const struct met *m, const struct node *n,
-		     uint32_t texture, double share)
+static struct looked look_at(const struct looking *l, const struct texture *tex, uint32_t layer,
+			     const struct pattern_point *at)
 {
-	const struct texture *tex;
+	const struct layer *from = &tex->layer[layer];
+	struct looked to = { .finish = &from->finish, .colour = from->pigment.colour, .normal = l->m->ns };
+
+	if (tex->plain)
+		return to;
+	if (from->normal)
+		to.normal = normal_at(l->sh->scene, from->normal, at, l->m->ns);
+	if (from->pigment.pattern) {
+		struct pattern_point bent = *at;
+
+		bent.n = to.normal;
+		to.colour = pigment_at(l->sh->scene, &from->pigment, &bent);
+	}
+	return to;
+}
+
+/* A texture of layers. */
+static void add_part(const struct looking *l, const struct texture *tex, const struct pattern_point *at,
+		     double share)
+{
+	struct tree *t = l->t;
+	const struct scene *s = l->sh->scene;
 	uint32_t index;
-	struct indirect_part indirect = indirect_part(sh, n);
-	double bailout = shade_bailout(sh, n->bounce);
+	struct indirect_part indirect = indirect_part(l->sh, l->n);
+	double bailout = shade_bailout(l->sh, l->n->bounce);
 	struct part p = { .share = share,
 			  .filter = { 1, 1, 1 },
 			  .fade = { 1, 1, 1 },
 			  .clear = 1,
+			  .normal = l->m->ns,
 			  .through = TREE_NONE,
 			  .first_layer = t->layer.count,
 			  .first_mirror = t->mirror.count };
 
-	if (texture == SCENE_NONE) /* nobody gave one: black */
-		return;
-	tex = &sh->scene->texture[texture];
 	index = tree_push(t, &t->part, 1);
 	if (index == TREE_NONE)
 		return;
 	for (uint32_t i = 0; i < tex->count && p.clear > bailout; i++) {
-		const struct layer *layer = &tex->layer[i];
-		struct rgb pigment = rgbft_rgb(layer->pigment.colour), reflectivity = { 0, 0, 0 };
-		double opaque = opacity(sh->scene, &layer->pigment.colour);
+		struct looked one = look_at(l, tex, i, at);
+		struct rgb reflectivity = { 0, 0, 0 };
+		double opaque = opacity(s, &one.colour);
 
-		if (finish_is_mirror(&layer->finish))
-			add_mirror(sh, t, &p, m, n, &layer->finish, pigment, n->weight * p.clear,
-				   &reflectivity);
-		p.own = rgb_add(p.own, rgb_mul(p.filter, rgb_scale(glow(sh, &layer->finish, pigment),
+		if (i == 0)
+			p.normal = one.normal;
+		if (finish_is_mirror(one.finish))
+			add_mirror(l, &p, &one, l->n->weight * p.clear, &reflectivity);
+		p.own = rgb_add(p.own, rgb_mul(p.filter, rgb_scale(glow(l->sh, one.finish, rgbft_rgb(one.colour)),
 								   opaque)));
-		add_layer(t, &p, index, m, layer, opaque);
+		add_layer(t, &p, index, &one, opaque);
 		if (indirect.wanted)
-			indirect_layer(sh, t, m, &indirect, &layer->finish,
-				       rgb_mul(p.filter, rgb_scale(pigment, opaque)), m->ns, share);
-		p.filter = rgb_mul(p.filter, rgbft_through(layer->pigment.colour));
-		if (layer->finish.conserve_energy)
+			indirect_layer(l->sh, t, l->m, &indirect, one.finish,
+				       rgb_mul(p.filter, rgb_scale(rgbft_rgb(one.colour), opaque)),
+				       one.normal, share);
+		p.filter = rgb_mul(p.filter, rgbft_through(one.colour));
+		if (one.finish->conserve_energy)
 			p.filter = rgb_mul(p.filter, rgb_make(fmin(1, 1 - reflectivity.r),
 							      fmin(1, 1 - reflectivity.g),
 							      fmin(1, 1 - reflectivity.b)));
 		p.clear = clearness(p.filter);
 	}
 	*BUF_AT(&t->part, struct part, index) = p;
+}
+
+static void visit(void *self, const struct texture *tex, const struct pattern_point *at, double share)
+{
+	add_part(self, tex, at, share);
+}
+
+/* Whatever the texture is made of. */
+static void add_texture(const struct looking *l, const struct surface *s, uint32_t texture,
+			const struct xform *place, double share)
+{
+	const struct texture *tex;
+	struct pattern_point at;
+
+	if (texture == SCENE_NONE) /* nobody gave one: black */
+		return;
+	tex = &l->sh->scene->texture[texture];
+	if (tex->plain) {
+		add_part(l, tex, NULL, share);
+		return;
+	}
+	at = texture_point(s, place, l->m->ns, l->n->dir);
+	texture_visit(l->sh->scene, tex, &at, share, visit, (void *)l);
 }
 
 void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald_ray *ray,
@@ -130,6 +190,7 @@ void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald
 	struct surface s;
 	struct met m;
 	bool from_inside;
+	const struct looking l = { sh, t, &m, n };
 
 	if (index == TREE_NONE)
 		return;
@@ -149,14 +210,14 @@ void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald
 			  .first_layer = t->layer.count,
 			  .first_gather = t->gather.count };
 	if (from_inside && s.interior_texture != SCENE_NONE) {
-		add_part(sh, t, &m, n, s.interior_texture, 1);
+		add_texture(&l, &s, s.interior_texture, s.interior_texture_place, 1);
 	} else if (s.texture[0] == s.texture[1] && s.texture[0] == s.texture[2]) {
-		add_part(sh, t, &m, n, s.texture[0], 1);
+		add_texture(&l, &s, s.texture[0], s.texture_place, 1);
 	} else {
 		/* POV-Ray leaves out textures of a share below adc_bailout. */
 		for (int i = 0; i < 3; i++) {
-			if (s.bary[i] >= shade_bailout(sh, n->bounce))
-				add_part(sh, t, &m, n, s.texture[i], s.bary[i]);
+			if (s.bary[i] >= sh->scene->adc_bailout)
+				add_texture(&l, &s, s.texture[i], s.texture_place, s.bary[i]);
 		}
 	}
 	m.part_count = t->part.count - m.first_part;

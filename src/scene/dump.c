@@ -86,6 +86,26 @@ static void dump_camera(const struct scene *s, unsigned what, FILE *to)
 	end_line(to, what, &c->pos);
 }
 
+static void dump_fog(const struct fog *f, uint32_t i, FILE *to)
+{
+	fprintf(to, "fog %u", i);
+	put_word(to, "distance", f->distance);
+	put_rgbft(to, "colour", f->colour);
+	if (f->ground) {
+		put_vec(to, "ground up", f->up);
+		put_word(to, "offset", f->offset);
+		put_word(to, "alt", f->alt);
+	}
+	if (f->turbulence.x != 0 || f->turbulence.y != 0 || f->turbulence.z != 0) {
+		put_vec(to, "turbulence", f->turbulence);
+		put_word(to, "turb_depth", f->turb_depth);
+		put_word(to, "lambda", f->lambda);
+		put_word(to, "omega", f->omega);
+		fprintf(to, " octaves %u", f->octaves);
+	}
+	putc('\n', to);
+}
+
 static void dump_light(const struct light *l, uint32_t i, unsigned what, FILE *to)
 {
 	static const char *const kind[] = { "point", "spot", "cylinder" };
@@ -97,6 +117,8 @@ static void dump_light(const struct light *l, uint32_t i, unsigned what, FILE *t
 		fputs(" parallel", to);
 	if (l->shadowless)
 		fputs(" shadowless", to);
+	if (l->attenuated)
+		fputs(" attenuated", to);
 	if (l->kind != LIGHT_POINT || l->parallel)
 		put_vec(to, "direction", l->direction);
 	if (l->kind != LIGHT_POINT) {
@@ -316,6 +338,8 @@ void scene_dump(const struct scene *s, unsigned what, FILE *to)
 	if (s->radiosity.given)
 		dump_radiosity(&s->radiosity, to);
 	dump_camera(s, what, to);
+	for (uint32_t i = 0; i < s->fog_count; i++)
+		dump_fog(&s->fog[i], i, to);
 	for (uint32_t i = 0; i < s->light_count; i++)
 		dump_light(&s->light[i], i, what, to);
 	for (uint32_t i = 0; i < s->texture_count; i++)

@@ -47,6 +47,7 @@ void scene_release(struct scene *s)
 			mem_free(s->picture[i]->sample);
 	}
 	mem_free(s->picture);
+	mem_free(s->fog);
 	mem_free(s->light);
 	mem_free(s->texture);
 	mem_free(s->interior);
@@ -74,6 +75,15 @@ static uint32_t grow(struct scene *s, void **array, uint32_t *count, uint32_t *r
 	}
 	memset((char *)*array + *count * size, 0, size);
 	return (*count)++;
+}
+
+uint32_t scene_add_fog(struct scene *s)
+{
+	void *p = s->fog;
+	uint32_t i = grow(s, &p, &s->fog_count, &s->fog_room, sizeof(*s->fog));
+
+	s->fog = p;
+	return i;
 }
 
 uint32_t scene_add_light(struct scene *s)
@@ -232,9 +242,26 @@ static uint64_t hash_object(uint64_t h, const struct object *o)
 	return HASH(h, o->shape); /* cleared when made, so its padding is 0 */
 }
 
+static uint64_t hash_fog(uint64_t h, const struct fog *f)
+{
+	h = HASH(h, f->ground);
+	h = HASH(h, f->distance);
+	h = HASH(h, f->colour);
+	h = HASH(h, f->up);
+	h = HASH(h, f->offset);
+	h = HASH(h, f->alt);
+	h = HASH(h, f->turbulence);
+	h = HASH(h, f->turb_depth);
+	h = HASH(h, f->lambda);
+	h = HASH(h, f->omega);
+	return HASH(h, f->octaves);
+}
+
 static uint64_t hash_light(uint64_t h, const struct light *l)
 {
 	h = HASH(h, l->kind);
+	h = HASH(h, l->no_media);
+	h = HASH(h, l->attenuated);
 	h = hash_bytes(h, &l->parallel, 7); /* the flags stand together */
 	h = HASH(h, l->adaptive);
 	h = HASH(h, l->size1);
@@ -321,6 +348,8 @@ uint64_t scene_hash(const struct scene *s)
 	h = HASH(h, s->camera.aperture);
 	h = HASH(h, s->camera.focal_distance);
 	h = HASH(h, s->camera.blur_samples);
+	for (uint32_t i = 0; i < s->fog_count; i++)
+		h = hash_fog(h, &s->fog[i]);
 	for (uint32_t i = 0; i < s->light_count; i++)
 		h = hash_light(h, &s->light[i]);
 	for (uint32_t i = 0; i < s->texture_count; i++) {

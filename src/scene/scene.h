@@ -18,6 +18,7 @@
 #include "base/diag.h"
 #include "base/mem.h"
 #include "base/vec.h"
+#include "scene/atmosphere.h"
 #include "scene/media.h"
 #include "scene/texture.h"
 
@@ -56,6 +57,7 @@ enum light_kind { LIGHT_POINT, LIGHT_SPOT, LIGHT_CYLINDER };
 struct light {
 	enum light_kind kind;
 	bool no_media; /* media_interaction off */
+	bool attenuated; /* media_attenuation: fog takes from its light */
 	bool parallel; /* rays along -direction from a plane through location */
 	bool shadowless;
 	bool area; /* area_light: size1 x size2 points spread along axis1 and axis2 */
@@ -215,6 +217,8 @@ struct scene {
 	uint32_t media_count; /* that fill the world, outside of what is not hollow */
 	struct media *media; /* in the arena */
 
+	uint32_t fog_count, fog_room;
+	struct fog *fog;
 	uint32_t light_count, light_room;
 	struct light *light;
 	uint32_t texture_count, texture_room;
@@ -238,6 +242,7 @@ void scene_release(struct scene *);
 
 /* Append one, cleared (object: identity place, no texture, no interior, no relations), and return its
  * index, or SCENE_NONE when out of memory. Pointers into the array change. */
+uint32_t scene_add_fog(struct scene *);
 uint32_t scene_add_light(struct scene *);
 uint32_t scene_add_texture(struct scene *, uint32_t layers);
 uint32_t scene_add_interior(struct scene *);

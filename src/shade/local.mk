@@ -3,6 +3,7 @@ src_libalidade_la_SOURCES += \
 	src/shade/indirect.c src/shade/indirect.h \
 	src/shade/light.c src/shade/light.h \
 	src/shade/pov/finish.c src/shade/pov/finish.h \
+	src/shade/pov/fog.c src/shade/pov/fog.h \
 	src/shade/pov/interior.c src/shade/pov/interior.h \
 	src/shade/pov/lights.c src/shade/pov/lights.h \
 	src/shade/pov/media.c src/shade/pov/media.h \

@@ -19,6 +19,8 @@ void shader_init(struct shader *sh, const struct scene *s, const struct geometry
 	sh->media = s->media_count > 0;
 	for (uint32_t i = 0; i < s->interior_count && !sh->media; i++)
 		sh->media = s->interior[i].media_count > 0;
+	sh->fog = s->fog_count > 0;
+	sh->insides = sh->translucent || sh->media || sh->fog;
 }
 
 bool shade_worth(const struct shader *sh, uint32_t bounce, uint32_t level, double weight)
@@ -35,7 +37,7 @@ uint32_t shade_camera_inside(const struct shader *sh, struct tree *t, vec org)
 	struct solid solid[CAMERA_SOLIDS];
 	uint32_t list = TREE_NONE, n;
 
-	if (!sh->translucent)
+	if (!sh->insides)
 		return list;
 	n = geometry_inside(sh->geometry, org, solid, CAMERA_SOLIDS);
 	for (uint32_t i = 0; i < n && i < CAMERA_SOLIDS; i++)

@@ -31,6 +31,8 @@ struct shader {
 	bool clear_shadows; /* and shadow rays are filtered */
 	bool media; /* something fills solids or the world */
 	struct indirect indirect; /* method is INDIRECT_OFF unless the scene asks for radiosity */
+	bool fog;
+	bool insides; /* what rays are inside of is followed from the camera on */
 };
 
 /* Rays cast for shading, for the reports. */
@@ -54,6 +56,8 @@ void shade_light(const struct shader *, struct tree *, uint32_t thread, struct s
 /* Media between origin and end of nodes first .. first + n - 1, as veils. */
 void shade_media(const struct shader *, struct tree *, uint32_t thread, uint32_t first, uint32_t n,
 		 struct shade_counts *);
+/* Fog on the way of the same, hung before what is there. */
+void shade_fog(const struct shader *, struct tree *, uint32_t first, uint32_t n);
 /* The nodes that these hits ask for. */
 void shade_spawn(const struct shader *, struct tree *);
 

@@ -121,6 +121,7 @@ struct shadow {
 	vec org, dir;
 	double depth;
 	uint32_t skip, inside;
+	bool fog; /* takes from it */
 	struct rgb colour; /* in: unshadowed; out: what arrives */
 };
 

@@ -17,6 +17,12 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/diffuse.pov \
 	tests/features/fade.pov \
 	tests/features/filter-shadow.pov \
+	tests/features/fog-ground.pov \
+	tests/features/fog-hollow.pov \
+	tests/features/fog-lamps.pov \
+	tests/features/fog-none.pov \
+	tests/features/fog-turbulence.pov \
+	tests/features/fog.pov \
 	tests/features/fresnel.pov \
 	tests/features/gamma22.pov \
 	tests/features/glass-fade.pov \
@@ -65,6 +71,12 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/diffuse.exr \
 	tests/features/fade.exr \
 	tests/features/filter-shadow.exr \
+	tests/features/fog-ground.exr \
+	tests/features/fog-hollow.exr \
+	tests/features/fog-lamps.exr \
+	tests/features/fog-none.exr \
+	tests/features/fog-turbulence.exr \
+	tests/features/fog.exr \
 	tests/features/fresnel.exr \
 	tests/features/gamma22.exr \
 	tests/features/glass-fade.exr \
@@ -96,5 +108,6 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/texture-places.exr \
 	tests/features/union-glass.exr \
 	tests/features/union.exr \
+	tests/features/fogs.inc \
 	tests/features/room.inc \
 	tests/features/stage.inc

@@ -166,7 +166,6 @@ static const struct known {
 	enum pov_item_kind kind;
 	const char *construct; /* used at the top level */
 } known[] = {
-	{ TOK_FOG, ITEM_FOG, "fog" },
 	{ TOK_RAINBOW, ITEM_RAINBOW, "rainbow" },
 	{ TOK_SKY_SPHERE, ITEM_SKY_SPHERE, "sky_sphere" },
 	{ TOK_MEDIA, ITEM_MEDIA, "media" },
@@ -261,6 +260,9 @@ static void *read_declared(struct pov *p, enum pov_item_kind *kind)
 	case TOK_MATERIAL:
 		*kind = ITEM_MATERIAL;
 		return pov_read_material(p, &m) ? pov_copy(p, &m, sizeof(m)) : NULL;
+	case TOK_FOG:
+		*kind = ITEM_FOG;
+		return pov_read_fog(p);
 	case TOK_CAMERA:
 		*kind = ITEM_CAMERA;
 		return pov_read_camera(p);
@@ -339,6 +341,8 @@ bool pov_top_item(struct pov *p)
 		top_camera(p);
 		return true;
 	case TOK_FOG:
+		pov_use_fog(p, pov_read_fog(p));
+		return true;
 	case TOK_RAINBOW:
 	case TOK_SKY_SPHERE:
 	case TOK_MEDIA:

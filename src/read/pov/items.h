@@ -102,6 +102,10 @@ struct pov_object { /* ITEM_OBJECT */
 	uint64_t weight; /* objects that it puts into the scene, with all that is in it */
 };
 
+struct pov_fog { /* ITEM_FOG */
+	struct fog fog;
+};
+
 struct pov_other { /* all other kinds: known by name, not yet rendered */
 	struct pov_lack lack;
 };
@@ -171,6 +175,9 @@ uint32_t pov_noise_generator(struct pov *); /* a number of 1 to 3 */
 void pov_read_background(struct pov *);
 void pov_read_radiosity(struct pov *); /* the block of global_settings */
 void pov_read_importance(struct pov *); /* radiosity { } of an object or #default */
+struct pov_fog *pov_read_fog(struct pov *);
+/* Put it into the scene; NULL is nothing. */
+void pov_use_fog(struct pov *, const struct pov_fog *);
 
 /* The texture with a transform after it: the same one if it looks alike everywhere. */
 struct pov_texture *pov_texture_transform(struct pov *, struct pov_texture *, const struct xform *);

@@ -153,9 +153,12 @@ static bool read_rest(struct pov *p, struct draft *d)
 		d->light.fade_power = pov_finite_float(p, "fade_power");
 		return true;
 	case TOK_MEDIA_ATTENUATION:
+		pov_next(p);
+		d->light.attenuated = pov_bool(p, true);
+		return true;
 	case TOK_MEDIA_INTERACTION:
 		pov_next(p);
-		pov_bool(p, true);
+		d->light.no_media = !pov_bool(p, true);
 		return true;
 	case TOK_PHOTONS:
 		break;

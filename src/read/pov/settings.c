@@ -1,7 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * global_settings (manual 3.4.1) and background (3.4.3.2).
+ * global_settings (manual 3.4.1).
  */
 #include <config.h>
 
@@ -153,16 +153,4 @@ void pov_read_settings(struct pov *p)
 	while (!pov_failed(p) && read_word(p))
 		;
 	pov_close(p, "global_settings");
-}
-
-void pov_read_background(struct pov *p)
-{
-	struct rgbft c = { 0 };
-
-	if (!pov_open(p))
-		return;
-	while (!pov_failed(p) && pov_starts_colour(p))
-		c = pov_finite_colour(p, "the background's colour");
-	if (pov_close(p, "background"))
-		pov_scene(p)->background = c;
 }

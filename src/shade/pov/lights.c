@@ -68,8 +68,8 @@ static double short_of(vec p, const struct light_ray *r)
 	return r->depth - 0x1p-40 * size;
 }
 
-static void ask(struct tree *t, const struct met *m, const struct node *n, const struct light_ray *r,
-		struct rgb colour)
+static void ask(struct tree *t, const struct light *l, const struct met *m, const struct node *n,
+		const struct light_ray *r, struct rgb colour)
 {
 	uint32_t i = tree_push(t, &t->shadow, 1);
 
@@ -80,6 +80,7 @@ static void ask(struct tree *t, const struct met *m, const struct node *n, const
 					 .depth = short_of(m->p, r),
 					 .skip = m->skip,
 					 .inside = n->inside,
+					 .fog = l->attenuated && !l->no_media,
 					 .colour = colour };
 }
 
@@ -138,10 +139,11 @@ static void ask_points(const struct shader *sh, struct tree *t, uint32_t thread,
 	for (uint32_t i = 0; i < t->lit.count; i++) {
 		const struct lit *lit = BUF_AT(&t->lit, struct lit, i);
 		const struct met *m = BUF_AT(&t->met, struct met, lit->hit);
+		const struct light *l = &sh->scene->light[lit->light];
 		struct light_ray r = { lit->dir, lit->depth };
 
-		if (lit->grid == TREE_NONE && !sh->scene->light[lit->light].shadowless)
-			ask(t, m, node_of(t, m), &r, lit->colour);
+		if (lit->grid == TREE_NONE && !l->shadowless)
+			ask(t, l, m, node_of(t, m), &r, lit->colour);
 	}
 	shadow_trace(sh, t, thread, 0, counts);
 	if (t->no_memory)
@@ -186,7 +188,7 @@ static bool area_cell(struct area *a, uint32_t u, uint32_t v, struct rgb *out)
 		return false;
 	*BUF_AT(&a->t->asked, uint32_t, i) = index;
 	c->asked = true;
-	ask(a->t, a->m, a->n, &r, a->lit->colour);
+	ask(a->t, a->l, a->m, a->n, &r, a->lit->colour);
 	return false;
 }
 

@@ -9,6 +9,7 @@
 #include "shade/pov/shadow.h"
 
 #include "base/rng.h"
+#include "shade/pov/fog.h"
 #include "shade/pov/interior.h"
 #include "shade/pov/media.h"
 #include "shade/pov/point.h"
@@ -88,12 +89,20 @@ static struct rgb surface_filter(const struct shader *sh, const struct surface *
 }
 
 /* The ray went from t0 to this clear surface: take off what was lost. */
+static void through_fog(const struct shader *sh, struct tree *t, struct shadow *s, double from, double to)
+{
+	if (s->fog && to > from && inside_hollow(t, s->inside))
+		s->colour = rgb_mul(s->colour, fog_clear(sh->scene, vec_mad(s->org, s->dir, from), s->dir,
+							 to - from, NULL));
+}
+
 static void cross(const struct shader *sh, struct tree *t, struct shadow *s, const ald_ray *r,
 		  const ald_hit *h)
 {
 	struct surface at;
 
 	surface_at(sh->geometry, r, h, &at);
+	through_fog(sh, t, s, fmax(0, r->tmin), h->t);
 	if (sh->media) {
 		double from = r->tmin > 0 ? r->tmin : 0;
 
@@ -127,8 +136,10 @@ static void filter_batch(const struct shader *sh, struct tree *t, uint32_t threa
 		for (uint32_t i = 0; i < n; i++) {
 			struct shadow *one = &s[live[i]];
 
-			if (hit[i].prim == ALD_NONE)
+			if (hit[i].prim == ALD_NONE) {
+				through_fog(sh, t, one, fmax(0, ray[i].tmin), one->depth);
 				continue;
+			}
 			counts->shadow_hit++;
 			cross(sh, t, one, &ray[i], &hit[i]);
 			if (shadow_dark(one->colour)) {
@@ -162,6 +173,8 @@ static void trace_batch(const struct shader *sh, struct tree *t, uint32_t thread
 			live[left++] = i;
 		}
 	}
+	for (uint32_t i = 0; sh->fog && !sh->clear_shadows && i < left; i++)
+		through_fog(sh, t, &s[live[i]], 0, s[live[i]].depth);
 	if (left && sh->clear_shadows)
 		filter_batch(sh, t, thread, s, live, left, counts);
 }

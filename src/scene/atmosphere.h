@@ -1,0 +1,27 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * What surrounds a scene (POV-Ray's manual 3.4.3).
+ */
+#ifndef ALIDADE_SCENE_ATMOSPHERE_H
+#define ALIDADE_SCENE_ATMOSPHERE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "base/colour.h"
+#include "base/vec.h"
+
+/* Fills the world, outside of what is not hollow. */
+struct fog {
+	bool ground; /* fog_type 2: thins out above offset, to a half at alt above it */
+	double distance; /* not 0 */
+	struct rgbft colour; /* transmit: what is always let through */
+	vec up; /* unit; ground */
+	double offset, alt; /* alt is not 0; ground */
+	vec turbulence; /* 0: none */
+	double turb_depth, lambda, omega;
+	uint32_t octaves;
+};
+
+#endif

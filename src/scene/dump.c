@@ -119,6 +119,8 @@ static void dump_light(const struct light *l, uint32_t i, unsigned what, FILE *t
 		fputs(" shadowless", to);
 	if (l->attenuated)
 		fputs(" attenuated", to);
+	if (l->no_media)
+		fputs(" no_media", to);
 	if (l->kind != LIGHT_POINT || l->parallel)
 		put_vec(to, "direction", l->direction);
 	if (l->kind != LIGHT_POINT) {

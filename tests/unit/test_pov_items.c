@@ -208,7 +208,8 @@ static void test_lights(void **unused)
 		  "orient\n" },
 		{ "area_light x, z, 1, 1 rotate 90*y", "points 1 1\n" },
 		{ "media_attenuation on media_interaction off photons { refraction on }",
-		  "light 0 point location < 4 2 3 > colour < 1 0.5 0.25 >\n" },
+		  "light 0 point location < 4 2 3 > colour < 1 0.5 0.25 > attenuated no_media\n" },
+		{ "media_attenuation off media_interaction on", "colour < 1 0.5 0.25 >\n" },
 	};
 	char text[600];
 

@@ -148,7 +148,8 @@ def listing(kind, name, size, texts):
 HEAD = """/* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * %s. Made by tools/noise-table.py, which says how: do not edit.
+ * %s.
+ * Made by tools/noise-table.py, which says how: do not edit.
  */
 #ifndef ALIDADE_PATTERN_%s_H
 #define ALIDADE_PATTERN_%s_H

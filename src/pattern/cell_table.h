@@ -1,7 +1,8 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * What is random a unit cell, three numbers each; and the first waves. Made by tools/noise-table.py, which says how: do not edit.
+ * What is random a unit cell, three numbers each; and the first waves.
+ * Made by tools/noise-table.py, which says how: do not edit.
  */
 #ifndef ALIDADE_PATTERN_CELL_TABLE_H
 #define ALIDADE_PATTERN_CELL_TABLE_H

@@ -1,7 +1,8 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * The tables behind the noise. Made by tools/noise-table.py, which says how: do not edit.
+ * The tables behind the noise.
+ * Made by tools/noise-table.py, which says how: do not edit.
  */
 #ifndef ALIDADE_PATTERN_NOISE_TABLE_H
 #define ALIDADE_PATTERN_NOISE_TABLE_H

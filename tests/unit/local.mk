@@ -11,7 +11,8 @@ TESTS += tests/unit/test_json tests/unit/test_sobol
 endif
 
 if HAVE_CMOCKA
-check_PROGRAMS += tests/unit/test_diff tests/unit/test_image_files tests/unit/test_image_formats
+check_PROGRAMS += tests/unit/test_diff tests/unit/test_image_files tests/unit/test_image_formats \
+	tests/unit/test_textures
 tests_unit_test_diff_SOURCES = tests/unit/test_diff.c tests/unit/image_fixture.h
 tests_unit_test_diff_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_diff_LDADD = $(UNIT_LIBS)
@@ -21,7 +22,11 @@ tests_unit_test_image_files_LDADD = $(UNIT_LIBS)
 tests_unit_test_image_formats_SOURCES = tests/unit/test_image_formats.c tests/unit/image_fixture.h
 tests_unit_test_image_formats_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_image_formats_LDADD = $(UNIT_LIBS)
-TESTS += tests/unit/test_diff tests/unit/test_image_files tests/unit/test_image_formats
+tests_unit_test_textures_SOURCES = tests/unit/test_textures.c tests/unit/image_fixture.h
+tests_unit_test_textures_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_textures_LDADD = $(UNIT_LIBS) $(PNG_LIBS) $(JPEG_LIBS)
+TESTS += tests/unit/test_diff tests/unit/test_image_files tests/unit/test_image_formats \
+	tests/unit/test_textures
 endif
 
 if HAVE_CMOCKA

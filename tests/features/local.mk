@@ -2,6 +2,7 @@ TESTS += tests/features/features.sh
 EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/area-more.pov \
 	tests/features/area.pov \
+	tests/features/bump-map.pov \
 	tests/features/camera-cylinder1.pov \
 	tests/features/camera-cylinder2.pov \
 	tests/features/camera-cylinder3.pov \
@@ -31,9 +32,18 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/hidden-in-mirrors.pov \
 	tests/features/hiding.pov \
 	tests/features/highlights.pov \
+	tests/features/image-clear.pov \
+	tests/features/image-gamma-legacy.pov \
+	tests/features/image-gamma.pov \
+	tests/features/image-gamma22.pov \
+	tests/features/image-interpolate.pov \
+	tests/features/image-pattern.pov \
+	tests/features/image-types.pov \
+	tests/features/image-uv.pov \
 	tests/features/interior-texture.pov \
 	tests/features/layers.pov \
 	tests/features/legacy-layers.pov \
+	tests/features/material-map.pov \
 	tests/features/mesh-clear-inside.pov \
 	tests/features/meshes.pov \
 	tests/features/mirror-bailout.pov \
@@ -56,6 +66,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/union.pov \
 	tests/features/area-more.exr \
 	tests/features/area.exr \
+	tests/features/bump-map.exr \
 	tests/features/camera-cylinder1.exr \
 	tests/features/camera-cylinder2.exr \
 	tests/features/camera-cylinder3.exr \
@@ -85,9 +96,18 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/hidden-in-mirrors.exr \
 	tests/features/hiding.exr \
 	tests/features/highlights.exr \
+	tests/features/image-clear.exr \
+	tests/features/image-gamma-legacy.exr \
+	tests/features/image-gamma.exr \
+	tests/features/image-gamma22.exr \
+	tests/features/image-interpolate.exr \
+	tests/features/image-pattern.exr \
+	tests/features/image-types.exr \
+	tests/features/image-uv.exr \
 	tests/features/interior-texture.exr \
 	tests/features/layers.exr \
 	tests/features/legacy-layers.exr \
+	tests/features/material-map.exr \
 	tests/features/mesh-clear-inside.exr \
 	tests/features/meshes.exr \
 	tests/features/mirror-bailout.exr \
@@ -108,6 +128,22 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/texture-places.exr \
 	tests/features/union-glass.exr \
 	tests/features/union.exr \
+	tests/features/pictures/bright.hdr \
+	tests/features/pictures/clear.png \
+	tests/features/pictures/colour.png \
+	tests/features/pictures/deep.png \
+	tests/features/pictures/grey.png \
+	tests/features/pictures/greyclear.png \
+	tests/features/pictures/greyphoto.jpg \
+	tests/features/pictures/light.exr \
+	tests/features/pictures/make.py \
+	tests/features/pictures/old.bmp \
+	tests/features/pictures/old.tga \
+	tests/features/pictures/palette.png \
+	tests/features/pictures/photo.jpg \
+	tests/features/pictures/plain.ppm \
+	tests/features/pictures/plain.tif \
 	tests/features/fogs.inc \
 	tests/features/room.inc \
-	tests/features/stage.inc
+	tests/features/stage.inc \
+	tests/features/wall.inc

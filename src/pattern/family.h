@@ -19,6 +19,9 @@ pattern_function solid_boxed, solid_cylindrical, solid_gradient, solid_onion, so
 	solid_spherical, solid_leopard, solid_quilted, solid_spiral1, solid_spiral2;
 /* surface.c: of the surface's direction, or another pigment. */
 pattern_function surface_aoi, surface_slope, surface_pigment;
+/* image.c */
+pattern_function picture_value, picture_material;
+colour_function picture_colour;
 
 bool pattern_brings_colour(enum pattern_kind);
 struct rgbft pattern_colour(const struct scene *, const struct pattern *, const struct pattern_point *);

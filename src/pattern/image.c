@@ -9,6 +9,8 @@
 
 #include "pattern/image.h"
 
+#include "pattern/family.h"
+
 #include <math.h>
 
 #define NUDGE 1e-10 /* POV-Ray's: puts what lies on a pixel's edge on one side of it */
@@ -316,9 +318,8 @@ double image_value(const struct picture_place *m, vec p)
 	if (!map(m, p, &s))
 		return 0;
 	t = look(m, s);
-	if (m->use == PICTURE_INDEX && t.index >= 0)
-		v = floor(t.index) / 255;
-	else if (m->use == PICTURE_ALPHA)
+	/* use_index changes nothing here, in POV-Ray neither. */
+	if (m->use == PICTURE_ALPHA)
 		v = m->picture->clear ? t.c.transmit : t.c.r;
 	else
 		v = rgb_grey(rgbft_rgb(t.c));
@@ -334,7 +335,8 @@ uint32_t image_material(const struct picture_place *m, vec p)
 	if (!map(m, p, &s))
 		return 0;
 	t = look(m, s);
-	v = t.index >= 0 ? t.index : t.c.r * 255;
+	/* Rounded to single precision as POV-Ray's colours are: it decides which whole number is below. */
+	v = t.index >= 0 ? t.index : (double)(float)t.c.r * 255;
 	return v >= 1 ? v < UINT32_MAX ? (uint32_t)v : UINT32_MAX : 0;
 }
 
@@ -372,4 +374,22 @@ vec image_bump(const struct picture_place *m, vec p, double size, vec n)
 	x = vec_scale(x, 1 / length);
 	z = vec_unit(vec_cross(x, n));
 	return vec_sub(vec_add(vec_scale(x, bump.x), vec_scale(n, bump.y)), vec_scale(z, bump.z));
+}
+
+double picture_value(const struct scene *s, const struct pattern *q, const struct pattern_point *at)
+{
+	(void)s;
+	return image_value(&q->of.image, at->p);
+}
+
+double picture_material(const struct scene *s, const struct pattern *q, const struct pattern_point *at)
+{
+	(void)s;
+	return image_material(&q->of.image, at->p);
+}
+
+struct rgbft picture_colour(const struct scene *s, const struct pattern *q, const struct pattern_point *at)
+{
+	(void)s;
+	return image_colour(&q->of.image, at->p);
 }

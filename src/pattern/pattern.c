@@ -18,10 +18,12 @@ static pattern_function *const value_of[PATTERN_KINDS] = {
 	[PATTERN_SQUARE] = block_square,
 	[PATTERN_TRIANGULAR] = block_triangular,
 	[PATTERN_CUBIC] = block_cubic,
+	[PATTERN_MATERIAL_MAP] = picture_material,
 	[PATTERN_GRADIENT] = solid_gradient,
 	[PATTERN_AOI] = surface_aoi,
 	[PATTERN_BOXED] = solid_boxed,
 	[PATTERN_CYLINDRICAL] = solid_cylindrical,
+	[PATTERN_IMAGE] = picture_value,
 	[PATTERN_LEOPARD] = solid_leopard,
 	[PATTERN_ONION] = solid_onion,
 	[PATTERN_PIGMENT] = surface_pigment,
@@ -49,7 +51,7 @@ static pattern_function *const value_of[PATTERN_KINDS] = {
 
 /* Patterns that bring colours rather than a value. */
 static colour_function *const colour_of[PATTERN_KINDS] = {
-	[PATTERN_IMAGE_MAP] = NULL,
+	[PATTERN_IMAGE_MAP] = picture_colour,
 };
 
 bool pattern_known(enum pattern_kind k)

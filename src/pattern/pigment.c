@@ -88,7 +88,7 @@ void texture_visit(const struct scene *s, const struct texture *texture, const s
 	struct pattern_point inner = *at;
 	struct xform room;
 	uint32_t a, b;
-	double t;
+	double value, t;
 
 	if (texture->uv)
 		inner.p = vec_make(at->u, at->v, 0);
@@ -102,7 +102,11 @@ void texture_visit(const struct scene *s, const struct texture *texture, const s
 		visit_average(s, m, &inner, share, visit, self);
 		return;
 	}
-	map_find(m, pattern_value_warped(s, q, &inner), &a, &b, &t);
+	value = pattern_value_warped(s, q, &inner);
+	/* Numbers beyond the last texture begin anew, but the first of them stays with the last: measured. */
+	if (q->kind == PATTERN_MATERIAL_MAP && value > m->count)
+		value = fmod(value, m->count);
+	map_find(m, value, &a, &b, &t);
 	texture_visit(s, m->entry[a].is.texture, &inner, a == b ? share : share * (1 - t), visit, self);
 	if (a != b)
 		texture_visit(s, m->entry[b].is.texture, &inner, share * t, visit, self);

@@ -299,3 +299,21 @@ void pattern_blocks(struct pov *p, struct pattern_draft *to, uint32_t count)
 	to->map = d.m;
 	buf_release(&d.entry);
 }
+
+void pattern_materials(struct pov *p, struct pattern_draft *to)
+{
+	struct map_draft d = { .entry = { .size = sizeof(struct map_entry) }, .m = { .map = { .kind = MAP_TEXTURE } } };
+	bool ok = true;
+
+	while (ok && !pov_failed(p) && pov_token(p) == TOK_TEXTURE) {
+		struct map_entry e = { .at = d.entry.count };
+
+		ok = block_item(p, &d, TOK_TEXTURE, &e) && push(p, &d, e);
+	}
+	if (!d.entry.count && !pov_failed(p))
+		pov_fail(p, "material_map needs at least one texture { }");
+	if (!pov_failed(p))
+		finish(p, &d);
+	to->map = d.m;
+	buf_release(&d.entry);
+}

@@ -9,6 +9,7 @@
 #include <config.h>
 
 #include "read/pov/pattern.h"
+#include "read/pov/picture.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -78,6 +79,21 @@ static void read_pigment_pattern(struct pov *p, struct pattern_draft *d)
 	pov_lack_add(&d->lack, &inner.lack);
 	if (d->map.depth < inner.depth + 1)
 		d->map.depth = inner.depth + 1;
+}
+
+static void read_image_map(struct pov *p, struct pattern_draft *d)
+{
+	(void)pov_picture_block(p, PICTURE_OF_COLOUR, &d->pattern.of.image, NULL, "image_map");
+}
+
+static void read_image_pattern(struct pov *p, struct pattern_draft *d)
+{
+	(void)pov_picture_block(p, PICTURE_OF_DATA, &d->pattern.of.image, NULL, "image_pattern");
+}
+
+static void read_bump_map(struct pov *p, struct pattern_draft *d)
+{
+	(void)pov_picture_block(p, PICTURE_OF_DATA, &d->pattern.of.image, &d->amount, "bump_map");
 }
 
 static uint32_t read_iterations(struct pov *p)
@@ -267,7 +283,7 @@ static const struct word {
 	{ TOK_BOXED, PATTERN_BOXED, ANY, false, NULL },
 	{ TOK_BOZO, PATTERN_BOZO, ANY, false, NULL },
 	{ TOK_BRICK, PATTERN_BRICK, ANY, false, read_brick },
-	{ TOK_BUMP_MAP, PATTERN_BUMP_MAP, IN_NORMAL, true, NULL },
+	{ TOK_BUMP_MAP, PATTERN_BUMP_MAP, IN_NORMAL, false, read_bump_map },
 	{ TOK_BUMPS, PATTERN_BUMPS, ANY, false, NULL },
 	{ TOK_CELLS, PATTERN_CELLS, ANY, false, NULL },
 	{ TOK_CHECKER, PATTERN_CHECKER, ANY, false, read_checker },
@@ -281,8 +297,8 @@ static const struct word {
 	{ TOK_GRADIENT, PATTERN_GRADIENT, ANY, false, read_gradient },
 	{ TOK_GRANITE, PATTERN_GRANITE, ANY, false, NULL },
 	{ TOK_HEXAGON, PATTERN_HEXAGON, ANY, false, read_hexagon },
-	{ TOK_IMAGE_MAP, PATTERN_IMAGE_MAP, IN_PIGMENT, true, NULL },
-	{ TOK_IMAGE_PATTERN, PATTERN_IMAGE, ANY, true, NULL },
+	{ TOK_IMAGE_MAP, PATTERN_IMAGE_MAP, IN_PIGMENT, false, read_image_map },
+	{ TOK_IMAGE_PATTERN, PATTERN_IMAGE, ANY, false, read_image_pattern },
 	{ TOK_JULIA, PATTERN_FRACTAL, ANY, false, read_julia },
 	{ TOK_LEOPARD, PATTERN_LEOPARD, ANY, false, NULL },
 	{ TOK_MAGNET, PATTERN_FRACTAL, ANY, false, read_magnet },

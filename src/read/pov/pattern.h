@@ -50,5 +50,7 @@ bool turbulence_word(struct pov *, const struct turbulence_words *);
 
 /* The list of a block pattern's entries; what is not given is the default's. */
 void pattern_blocks(struct pov *, struct pattern_draft *, uint32_t count);
+/* The textures of a material_map, as many as there are. */
+void pattern_materials(struct pov *, struct pattern_draft *);
 
 #endif

@@ -6,6 +6,7 @@
 #include <config.h>
 
 #include "read/pov/pattern.h"
+#include "read/pov/picture.h"
 
 #include <string.h>
 
@@ -244,10 +245,12 @@ static void read_tiles(struct pov *p, struct pattern_draft *d)
 
 static void read_material_map(struct pov *p, struct pattern_draft *d)
 {
-	pov_lack_note(p, &d->lack, "material_map", NULL);
 	d->given = true;
-	pov_next(p);
-	pov_skip_block(p);
+	d->pattern = (struct pattern){ .kind = PATTERN_MATERIAL_MAP, .exponent = 1 };
+	if (!pov_open(p) || !pov_picture_read(p, PICTURE_OF_DATA, &d->pattern.of.image, NULL))
+		return;
+	pattern_materials(p, d);
+	(void)pov_close(p, "material_map");
 }
 
 /* texture { PATTERN texture_map { ... } ... } */

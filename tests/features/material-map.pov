@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // material_map: textures by a palette's number, or by the red of a picture without one. (Interpolated, such a picture
-#include "stage.inc"
 // has stray pixels of the first texture in POV-Ray where the weights do not quite add up to 1; not so in ours.)
+#include "stage.inc"
 box { <-2.4, 0.2, 0>, <-0.2, 2.2, 0.3>
 	texture { material_map { png "pictures/palette.png"
 		texture { pigment { rgb <1, 0.2, 0.2> } }

@@ -2,7 +2,6 @@ TESTS += tests/features/features.sh
 EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/area-more.pov \
 	tests/features/area.pov \
-	tests/features/bump-map.pov \
 	tests/features/camera-cylinder1.pov \
 	tests/features/camera-cylinder2.pov \
 	tests/features/camera-cylinder3.pov \
@@ -39,7 +38,6 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/image-interpolate.pov \
 	tests/features/image-pattern.pov \
 	tests/features/image-types.pov \
-	tests/features/image-uv.pov \
 	tests/features/interior-texture.pov \
 	tests/features/layers.pov \
 	tests/features/legacy-layers.pov \
@@ -66,7 +64,6 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/union.pov \
 	tests/features/area-more.exr \
 	tests/features/area.exr \
-	tests/features/bump-map.exr \
 	tests/features/camera-cylinder1.exr \
 	tests/features/camera-cylinder2.exr \
 	tests/features/camera-cylinder3.exr \
@@ -103,7 +100,6 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/image-interpolate.exr \
 	tests/features/image-pattern.exr \
 	tests/features/image-types.exr \
-	tests/features/image-uv.exr \
 	tests/features/interior-texture.exr \
 	tests/features/layers.exr \
 	tests/features/legacy-layers.exr \

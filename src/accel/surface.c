@@ -67,11 +67,15 @@ static void mesh_normal(const struct prim_leaf *f, const struct mesh *m, uint32_
 
 static void mesh_uv(const struct mesh *m, uint32_t face, struct surface *s)
 {
-	const uint32_t *i = (m->uv_index ? m->uv_index : m->index) + 3 * (size_t)face;
+	static const uint32_t first[3] = { 0, 0, 0 };
+	const uint32_t *i = m->uv_index ? m->uv_index : m->index;
 
+	i = m->uv_count == 1 ? first : i + 3 * (size_t)face;
 	for (unsigned k = 0; k < 3; k++) {
-		s->u += s->bary[k] * (double)m->uv[2 * (size_t)i[k]];
-		s->v += s->bary[k] * (double)m->uv[2 * (size_t)i[k] + 1];
+		const float *uv = m->uv + 2 * (size_t)i[k];
+
+		s->u += s->bary[k] * (double)uv[0];
+		s->v += s->bary[k] * (double)uv[1];
 	}
 }
 
@@ -194,6 +198,14 @@ void surface_at(const struct geometry *g, const ald_ray *ray, const ald_hit *hit
 		mesh_surface(g->set.scene, f, face, hit->u, hit->v, s);
 	else if (f->flags & OBJECT_INVERSE)
 		s->n = s->ns = vec_neg(s->n);
+	if (!g->set.scene->wants_uv)
+		return;
+	if (!mesh) {
+		prim_uv(&g->set.scene->object[f->object], &f->place, s->p, hit->part, &s->u, &s->v);
+	} else if (g->set.scene->mesh[f->mesh].lone) {
+		s->u = s->p.x;
+		s->v = s->p.y;
+	}
 }
 
 double surface_error(const struct geometry *g, const ald_ray *ray, const ald_hit *hit,

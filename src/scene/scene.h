@@ -98,7 +98,8 @@ struct mesh {
 	uint32_t textures_per_face; /* 0, 1, or 3: one per corner, blended */
 	uint32_t uv_count;
 	float *uv; /* [2 * uv_count], or NULL: no texture of the scene asks for them */
-	uint32_t *uv_index; /* [3 * triangle_count]; NULL: same as index */
+	uint32_t *uv_index; /* [3 * triangle_count]; NULL: same as index, or all 0 if there is one uv */
+	bool lone; /* a triangle outside a mesh: u and v are x and y of the scene, as for most shapes */
 	bool has_inside;
 	vec inside; /* inside_vector */
 	struct diag_pos pos;
@@ -221,6 +222,7 @@ struct scene {
 	struct fog *fog;
 	uint32_t light_count, light_room;
 	struct light *light;
+	bool wants_uv; /* some texture is asked at (u, v, 0) */
 	uint32_t texture_count, texture_room;
 	struct texture *texture; /* layers are in the arena */
 	uint32_t interior_count, interior_room;

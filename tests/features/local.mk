@@ -61,6 +61,8 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/texture-maps.pov \
 	tests/features/texture-places.pov \
 	tests/features/union-glass.pov \
+	tests/features/uv-object.pov \
+	tests/features/uv.pov \
 	tests/features/union.pov \
 	tests/features/area-more.exr \
 	tests/features/area.exr \
@@ -123,6 +125,8 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/texture-maps.exr \
 	tests/features/texture-places.exr \
 	tests/features/union-glass.exr \
+	tests/features/uv-object.exr \
+	tests/features/uv.exr \
 	tests/features/union.exr \
 	tests/features/pictures/bright.hdr \
 	tests/features/pictures/clear.png \

@@ -293,7 +293,7 @@ static void test_textures(void **unused)
 		    ONE("0 1 0"), true);
 	expect_dump("#declare P = pigment { rgb x rotate 3 } sphere { 0, 1 texture { P } }", ONE("1 0 0"),
 		    true);
-	expect_dump("#declare P = pigment { rgb x } sphere { 0, 1 pigment { P } uv_mapping }",
+	expect_dump("#declare P = pigment { rgb x } sphere { 0, 1 uv_mapping pigment { P } }",
 		    ONE("1 0 0"), true);
 	expect_dump("#declare C = rgb x; sphere { 0, 1 pigment { C } }", ONE("1 0 0"), true);
 	/* Layers: the last texture lies on top, and a pigment behind it changes that one. */

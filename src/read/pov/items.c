@@ -426,11 +426,25 @@ struct pov_state *pov_items_begin(struct pov *p)
 	return s;
 }
 
+/* Texture coordinates that no texture asks for. */
+static void drop_uvs(struct scene *s)
+{
+	for (uint32_t i = 0; i < s->mesh_count; i++) {
+		mem_free(s->mesh[i].uv);
+		mem_free(s->mesh[i].uv_index);
+		s->mesh[i].uv = NULL;
+		s->mesh[i].uv_index = NULL;
+		s->mesh[i].uv_count = 0;
+	}
+}
+
 void pov_items_end(struct pov *p)
 {
 	struct pov_state *s = pov_state(p);
 
 	copies_release(&s->copies);
+	if (!pov_scene(p)->wants_uv)
+		drop_uvs(pov_scene(p));
 	if (pov_failed(p))
 		return;
 	/* Version 3.7 takes linear light where nothing is said, older ones do no correction. */

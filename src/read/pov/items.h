@@ -53,6 +53,7 @@ struct pov_texture { /* ITEM_TEXTURE */
 	struct pattern *pattern;
 	struct pov_map map;
 	struct texture *made; /* memo: the tree, NULL until first asked for */
+	struct pov_texture *with_uv; /* memo: the same, asked at (u, v, 0) */
 	uint32_t index; /* memo: the scene's texture, SCENE_NONE until first used */
 };
 
@@ -95,6 +96,7 @@ struct pov_object { /* ITEM_OBJECT */
 	struct pov_texture *texture, *interior_texture;
 	struct xform texture_place, interior_texture_place; /* transforms that came after them */
 	struct pov_interior *interior;
+	bool uv; /* uv_mapping: all its textures are asked at (u, v, 0) */
 	unsigned given; /* enum object_flag: those that were given, on or off */
 	struct pov_lack lack;
 	struct pov_child *first, *last; /* of a union, in the order of the file */
@@ -181,6 +183,8 @@ void pov_use_fog(struct pov *, const struct pov_fog *);
 
 /* The texture with a transform after it: the same one if it looks alike everywhere. */
 struct pov_texture *pov_texture_transform(struct pov *, struct pov_texture *, const struct xform *);
+/* The texture asked at (u, v, 0), with its own transforms. NULL: no memory. */
+struct pov_texture *pov_texture_with_uv(struct pov *, struct pov_texture *);
 /* The tree of what was read. NULL: no memory. */
 struct texture *pov_texture_made(struct pov *, struct pov_texture *);
 /* pigment, normal or finish as the current token: *t with its topmost layer changed, or #default's. */

@@ -18,6 +18,8 @@ void mesh_draft_init(struct mesh_draft *d)
 				  .index.size = 3 * sizeof(uint32_t),
 				  .normal.size = 3 * sizeof(float),
 				  .normal_index.size = 3 * sizeof(uint32_t),
+				  .uv.size = 2 * sizeof(float),
+				  .uv_index.size = 3 * sizeof(uint32_t),
 				  .texture.size = sizeof(uint32_t),
 				  .common = SCENE_NONE };
 }
@@ -28,6 +30,8 @@ void mesh_draft_release(struct mesh_draft *d)
 	mem_free(d->index.data);
 	mem_free(d->normal.data);
 	mem_free(d->normal_index.data);
+	mem_free(d->uv.data);
+	mem_free(d->uv_index.data);
 	mem_free(d->texture.data);
 	mesh_draft_init(d);
 }
@@ -173,12 +177,13 @@ static enum face_class classify(const struct mesh_draft *d, size_t face)
 }
 
 struct face_record {
-	uint32_t index[3], texture[3];
+	uint32_t index[3], texture[3], uv[3];
 };
 
 static void move_face(struct mesh_draft *d, size_t to, size_t from, bool with_normal)
 {
 	uint32_t *index = d->index.data, *normal = d->normal_index.data, *texture = d->texture.data;
+	uint32_t *uv = d->uv_index.data;
 	uint32_t per = d->textures_per_face;
 
 	if (to == from)
@@ -188,26 +193,32 @@ static void move_face(struct mesh_draft *d, size_t to, size_t from, bool with_no
 		memcpy(normal + 3 * to, normal + 3 * from, 3 * sizeof(*normal));
 	if (texture)
 		memcpy(texture + per * to, texture + per * from, per * sizeof(*texture));
+	if (uv)
+		memcpy(uv + 3 * to, uv + 3 * from, 3 * sizeof(*uv));
 }
 
 static void save_face(const struct mesh_draft *d, struct face_record *r, size_t face)
 {
-	const uint32_t *texture = d->texture.data;
+	const uint32_t *texture = d->texture.data, *uv = d->uv_index.data;
 
 	memcpy(r->index, (const uint32_t *)d->index.data + 3 * face, sizeof(r->index));
 	if (texture)
 		memcpy(r->texture, texture + d->textures_per_face * face,
 		       d->textures_per_face * sizeof(*texture));
+	if (uv)
+		memcpy(r->uv, uv + 3 * face, sizeof(r->uv));
 }
 
 static void restore_face(struct mesh_draft *d, const struct face_record *r, size_t face)
 {
-	uint32_t *texture = d->texture.data;
+	uint32_t *texture = d->texture.data, *uv = d->uv_index.data;
 
 	memcpy((uint32_t *)d->index.data + 3 * face, r->index, sizeof(r->index));
 	if (texture)
 		memcpy(texture + d->textures_per_face * face, r->texture,
 		       d->textures_per_face * sizeof(*texture));
+	if (uv)
+		memcpy(uv + 3 * face, r->uv, sizeof(r->uv));
 }
 
 /* Smooth faces first, then flat ones, each in the file's order; *dropped: those without area. */
@@ -253,6 +264,8 @@ static bool sort_faces(struct pov *p, struct mesh_draft *d, size_t *dropped)
 	d->smooth_count = (uint32_t)smooths;
 	if (d->normal_index.data)
 		d->normal_index.count = smooths;
+	if (d->uv_index.data)
+		d->uv_index.count = d->index.count;
 	return true;
 }
 
@@ -269,6 +282,11 @@ static void fill_mesh(struct mesh *m, struct mesh_draft *d)
 	m->index = trim(&d->index);
 	if (d->textures_per_face)
 		m->texture = trim(&d->texture);
+	if (d->uv.count) {
+		m->uv_count = (uint32_t)d->uv.count;
+		m->uv = trim(&d->uv);
+		m->uv_index = trim(&d->uv_index);
+	}
 	if (d->smooth_count) {
 		m->normal_count = (uint32_t)d->normal.count;
 		m->normal = trim(&d->normal);
@@ -379,19 +397,49 @@ static bool list_texture(struct pov *p, struct mesh_array *list, uint32_t *out)
 	return true;
 }
 
+/* Texture coordinates stand beside the vertices: zeros for those that have none. */
+static bool fill_uvs(struct pov *p, struct mesh_draft *d, size_t count)
+{
+	if (d->uv.count >= count)
+		return true;
+	if (!mesh_reserve(p, &d->uv, count - d->uv.count, 0))
+		return false;
+	memset((float *)d->uv.data + 2 * d->uv.count, 0, 2 * (count - d->uv.count) * sizeof(float));
+	d->uv.count = count;
+	return true;
+}
+
+static bool read_uvs(struct pov *p, struct mesh_draft *d)
+{
+	struct diag_pos at = pov_here(p);
+	size_t first = d->vertex.count - 3;
+
+	if (!fill_uvs(p, d, d->vertex.count))
+		return false;
+	for (size_t i = 0; i < 3; i++) {
+		float *out = (float *)d->uv.data + 2 * (first + i);
+		double u, v;
+
+		pov_vector2(p, &u, &v);
+		if (i < 2)
+			pov_comma(p);
+		if (!isfinite(u) || !isfinite(v)) {
+			pov_fail_at(p, &at, "a uv vector has a component that is not a finite number");
+			return false;
+		}
+		out[0] = (float)u;
+		out[1] = (float)v;
+	}
+	return !pov_failed(p);
+}
+
 /* uv_vectors, texture { NAME }, texture_list { NAME NAME NAME } of a triangle in a mesh. */
 static bool read_face_look(struct pov *p, struct mesh_draft *d, struct mesh_array *list)
 {
 	uint32_t t[3] = { SCENE_NONE, SCENE_NONE, SCENE_NONE };
-	double u, v;
 
-	if (pov_accept(p, TOK_UV_VECTORS)) {
-		for (int i = 0; i < 3; i++) {
-			pov_vector2(p, &u, &v);
-			if (i < 2)
-				pov_comma(p);
-		}
-	}
+	if (pov_accept(p, TOK_UV_VECTORS) && !read_uvs(p, d))
+		return false;
 	if (pov_token(p) == TOK_TEXTURE) {
 		if (!pov_open(p) || !list_texture(p, list, &t[0]) || !pov_close(p, "texture"))
 			return false;
@@ -436,7 +484,7 @@ static bool read_faces(struct pov *p, struct mesh_draft *d, struct mesh_array *l
 	if (!d->index.count && !pov_failed(p))
 		pov_fail(p, "the mesh has no triangles");
 	d->smooth_count = any_smooth ? (uint32_t)d->index.count : 0;
-	return !pov_failed(p);
+	return !pov_failed(p) && (!d->uv.count || fill_uvs(p, d, d->vertex.count));
 }
 
 struct pov_object *pov_read_mesh(struct pov *p, const struct diag_pos *at)
@@ -470,6 +518,8 @@ struct pov_object *pov_read_triangle(struct pov *p, const struct diag_pos *at, b
 	if (!pov_failed(p) && add_corners(p, &d, &c) && mesh_add_texture(p, &d, none, 1)) {
 		d.smooth_count = smooth;
 		o = mesh_finish(p, &d);
+		if (o)
+			pov_scene(p)->mesh[o->mesh->index].lone = true;
 	}
 	mesh_draft_release(&d);
 	return o;

@@ -20,6 +20,8 @@ struct mesh_draft {
 	struct mesh_array index; /* of uint32_t[3] */
 	struct mesh_array normal; /* of float[3] */
 	struct mesh_array normal_index; /* of uint32_t[3] */
+	struct mesh_array uv; /* of float[2] */
+	struct mesh_array uv_index; /* of uint32_t[3] */
 	uint32_t smooth_count; /* the first so many faces have normals; see struct mesh */
 	/* Texture numbers are kept as short as they allow: none while all faces have the same ones,
 	 * then one a face, then three. */

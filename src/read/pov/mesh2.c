@@ -199,17 +199,29 @@ static bool read_normals(struct pov *p, struct mesh_draft *d)
 	return true;
 }
 
-/* Texture coordinates: only checked, as no pattern uses them yet. */
+/* Texture coordinates: kept until it is known whether a texture of the scene asks for them. */
+
+static bool add_uv(struct pov *p, struct list *l, double u, double v)
+{
+	struct mesh_array *a = &l->d->uv;
+	float *out;
+
+	if (a->count == a->room && !mesh_reserve(p, a, 1, l->expect))
+		return false;
+	out = (float *)a->data + 2 * a->count++;
+	out[0] = (float)u;
+	out[1] = (float)v;
+	return true;
+}
 
 static const char *scan_uvs(struct pov *p, struct list *l, const char *at, const char *end)
 {
 	const char *next;
 	double uv[2];
 
-	(void)p;
 	while (l->done < l->count) {
 		next = scan_vector2(at, end, uv);
-		if (!next)
+		if (!next || !add_uv(p, l, uv[0], uv[1]))
 			return at;
 		at = next;
 		l->done++;
@@ -222,22 +234,19 @@ static bool read_uv(struct pov *p, struct list *l)
 	struct diag_pos at = pov_here(p);
 	double u, v;
 
-	(void)l;
 	pov_vector2(p, &u, &v);
 	if (!pov_failed(p) && (!isfinite(u) || !isfinite(v)))
 		pov_fail_at(p, &at, "a uv vector has a component that is not a finite number");
-	return !pov_failed(p);
+	return !pov_failed(p) && add_uv(p, l, u, v);
 }
 
-static bool read_uvs(struct pov *p, struct mesh_draft *d, size_t *count)
+static bool read_uvs(struct pov *p, struct mesh_draft *d)
 {
 	static const struct list_kind kind = { scan_uvs, read_uv };
 	struct list l = { .name = "uv_vectors", .d = d };
 
-	if (!read_count(p, &l, 0) || !read_elements(p, &l, &kind))
-		return false;
-	*count = l.count;
-	return true;
+	d->uv.count = 0; /* a second list takes the first one's place */
+	return read_count(p, &l, 0) && read_elements(p, &l, &kind);
 }
 
 /* Three indices. */
@@ -369,26 +378,23 @@ static bool read_faces(struct pov *p, struct mesh_draft *d)
 	return !pov_failed(p) && read_count(p, &l, 1) && read_elements(p, &l, &kind);
 }
 
-/* Indices of normals are kept, those of texture coordinates only checked. */
+/* Indices of normals and of texture coordinates. */
 
 static const char *scan_indices(struct pov *p, struct list *l, const char *at, const char *end,
 				struct mesh_array *a)
 {
-	uint32_t none[3], *out = none;
 	const char *next;
+	uint32_t *out;
 
 	while (l->done < l->count) {
-		if (a) {
-			if (a->count == a->room && !mesh_reserve(p, a, 1, l->expect))
-				return at;
-			out = (uint32_t *)a->data + 3 * a->count;
-		}
+		if (a->count == a->room && !mesh_reserve(p, a, 1, l->expect))
+			return at;
+		out = (uint32_t *)a->data + 3 * a->count;
 		next = scan_indices3(at, end, out);
 		if (!next || !in_range(out, l->below))
 			return at;
 		at = next;
-		if (a)
-			a->count++;
+		a->count++;
 		l->done++;
 	}
 	return at;
@@ -401,12 +407,11 @@ static const char *scan_normal_indices(struct pov *p, struct list *l, const char
 
 static const char *scan_uv_indices(struct pov *p, struct list *l, const char *at, const char *end)
 {
-	return scan_indices(p, l, at, end, NULL);
+	return scan_indices(p, l, at, end, &l->d->uv_index);
 }
 
-static bool read_normal_index(struct pov *p, struct list *l)
+static bool read_index(struct pov *p, struct list *l, struct mesh_array *a)
 {
-	struct mesh_array *a = &l->d->normal_index;
 	uint32_t v[3];
 
 	if (!read_indices(p, l, v) || !mesh_reserve(p, a, 1, l->expect))
@@ -417,11 +422,14 @@ static bool read_normal_index(struct pov *p, struct list *l)
 	return true;
 }
 
+static bool read_normal_index(struct pov *p, struct list *l)
+{
+	return read_index(p, l, &l->d->normal_index);
+}
+
 static bool read_uv_index(struct pov *p, struct list *l)
 {
-	uint32_t v[3];
-
-	return read_indices(p, l, v);
+	return read_index(p, l, &l->d->uv_index);
 }
 
 static bool read_normal_indices(struct pov *p, struct mesh_draft *d)
@@ -444,12 +452,12 @@ static bool read_normal_indices(struct pov *p, struct mesh_draft *d)
 	return read_elements(p, &l, &kind);
 }
 
-static bool read_uv_indices(struct pov *p, struct mesh_draft *d, size_t uvs)
+static bool read_uv_indices(struct pov *p, struct mesh_draft *d)
 {
 	static const struct list_kind kind = { scan_uv_indices, read_uv_index };
 	struct list l = { .name = "uv_indices",
 			  .d = d,
-			  .below = uvs ? (uint32_t)uvs : 1,
+			  .below = d->uv.count ? (uint32_t)d->uv.count : 1,
 			  .of = "uv vectors" };
 	struct diag_pos at = pov_here(p);
 
@@ -495,7 +503,7 @@ static bool read_texture_list(struct pov *p, struct mesh_draft *d)
 }
 
 /* What stands before face_indices, in any order. */
-static bool read_vectors(struct pov *p, struct mesh_draft *d, size_t *uvs)
+static bool read_vectors(struct pov *p, struct mesh_draft *d)
 {
 	while (!pov_failed(p)) {
 		switch (pov_token(p)) {
@@ -508,7 +516,7 @@ static bool read_vectors(struct pov *p, struct mesh_draft *d, size_t *uvs)
 				return false;
 			break;
 		case TOK_UV_VECTORS:
-			if (!read_uvs(p, d, uvs))
+			if (!read_uvs(p, d))
 				return false;
 			break;
 		case TOK_TEXTURE_LIST:
@@ -526,7 +534,7 @@ static bool read_vectors(struct pov *p, struct mesh_draft *d, size_t *uvs)
 }
 
 /* What stands behind face_indices. */
-static bool read_indices_blocks(struct pov *p, struct mesh_draft *d, size_t uvs)
+static bool read_indices_blocks(struct pov *p, struct mesh_draft *d)
 {
 	bool normals = false, uv = false;
 
@@ -537,7 +545,7 @@ static bool read_indices_blocks(struct pov *p, struct mesh_draft *d, size_t uvs)
 				return false;
 		} else if (pov_token(p) == TOK_UV_INDICES && !uv) {
 			uv = true;
-			if (!read_uv_indices(p, d, uvs))
+			if (!read_uv_indices(p, d))
 				return false;
 		} else if (pov_accept(p, TOK_INSIDE_VECTOR)) {
 			d->inside = pov_finite_vector(p, "inside_vector");
@@ -553,8 +561,8 @@ static bool read_indices_blocks(struct pov *p, struct mesh_draft *d, size_t uvs)
 	else if (!normals && d->normal.count)
 		pov_fail(p, "normal_indices is missing: the mesh has %zu normals for %zu vertices",
 			 d->normal.count, d->vertex.count);
-	if (!uv && uvs > 1 && uvs != d->vertex.count)
-		pov_fail(p, "uv_indices is missing: the mesh has %zu uv vectors for %zu vertices", uvs,
+	if (!uv && d->uv.count > 1 && d->uv.count != d->vertex.count)
+		pov_fail(p, "uv_indices is missing: the mesh has %zu uv vectors for %zu vertices", d->uv.count,
 			 d->vertex.count);
 	return !pov_failed(p);
 }
@@ -563,11 +571,10 @@ struct pov_object *pov_read_mesh2(struct pov *p, const struct diag_pos *at)
 {
 	struct pov_object *o = NULL;
 	struct mesh_draft d;
-	size_t uvs = 0;
 
 	mesh_draft_init(&d);
 	d.pos = *at;
-	if (read_vectors(p, &d, &uvs) && read_faces(p, &d) && read_indices_blocks(p, &d, uvs))
+	if (read_vectors(p, &d) && read_faces(p, &d) && read_indices_blocks(p, &d))
 		o = mesh_finish(p, &d);
 	mesh_draft_release(&d);
 	return o;

@@ -258,6 +258,11 @@ static bool read_ignored(struct pov *p, struct pov_object *o)
 		pov_bool(p, true);
 		return true;
 	case TOK_UV_MAPPING:
+		if (o->texture)
+			pov_fail(p, "uv_mapping has to come before the object's texture");
+		o->uv = true;
+		pov_next(p);
+		return true;
 	case TOK_CUTAWAY_TEXTURES:
 		pov_next(p);
 		return true;

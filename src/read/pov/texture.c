@@ -96,6 +96,21 @@ struct pov_texture *pov_texture_transform(struct pov *p, struct pov_texture *fro
 	return t;
 }
 
+struct pov_texture *pov_texture_with_uv(struct pov *p, struct pov_texture *from)
+{
+	struct pov_texture *t = from->with_uv;
+
+	if (from->uv || !texture_moves(from))
+		return from;
+	if (t)
+		return t;
+	t = texture_copy(p, from);
+	if (t)
+		t->uv = true;
+	from->with_uv = t;
+	return t;
+}
+
 struct texture *pov_texture_made(struct pov *p, struct pov_texture *from)
 {
 	struct texture *t = from->made;
@@ -396,6 +411,7 @@ uint32_t pov_use_texture(struct pov *p, struct pov_texture *t)
 		pov_no_memory(p);
 		return SCENE_NONE;
 	}
+	s->wants_uv |= made->wants_uv;
 	t->index = index;
 	return index;
 }

@@ -88,8 +88,16 @@ static uint32_t use_interior(struct pov *p, struct pov_interior *in, bool hollow
 	return in->index;
 }
 
+/* A texture of an object, which may want it at (u, v, 0). */
+static uint32_t use_texture(struct pov *p, struct pov_texture *t, bool uv)
+{
+	if (uv)
+		t = pov_texture_with_uv(p, t);
+	return t ? pov_use_texture(p, t) : SCENE_NONE;
+}
+
 /* The mesh's indices into its texture_list become the scene's, once. */
-static bool use_mesh_textures(struct pov *p, struct pov_mesh *m)
+static bool use_mesh_textures(struct pov *p, struct pov_mesh *m, bool uv)
 {
 	struct mesh *mesh = &pov_scene(p)->mesh[m->index];
 	size_t n = (size_t)mesh->triangle_count * mesh->textures_per_face;
@@ -108,7 +116,7 @@ static bool use_mesh_textures(struct pov *p, struct pov_mesh *m)
 		if (t == SCENE_NONE)
 			continue;
 		if (map[t] == SCENE_NONE)
-			map[t] = pov_use_texture(p, m->list[t]);
+			map[t] = use_texture(p, m->list[t], uv);
 		mesh->texture[i] = map[t];
 	}
 	m->resolved = true;
@@ -128,14 +136,6 @@ static struct xform *use_place(struct pov *p, uint32_t texture, const struct xfo
 	return x;
 }
 
-/* Textures that are asked at (u, v, 0) need a shape that has such coordinates. */
-static bool check_uv(struct pov *p, const struct pov_object *o, uint32_t texture)
-{
-	if (texture == SCENE_NONE || !pov_scene(p)->texture[texture].wants_uv)
-		return true;
-	return pov_unsupported(p, &o->object.pos, "uv_mapping", NULL);
-}
-
 /* Flags, textures and interior of a shape that is no union. */
 static bool use_look(struct pov *p, struct pov_object *o, const struct context *c, struct object *out)
 {
@@ -146,15 +146,13 @@ static bool use_look(struct pov *p, struct pov_object *o, const struct context *
 		t = o->mesh->uniform;
 		place = &c->place; /* faces' own textures move with the mesh */
 	}
-	if (o->mesh && !use_mesh_textures(p, o->mesh))
+	if (o->mesh && !use_mesh_textures(p, o->mesh, o->uv))
 		return false;
 	/* A mesh whose faces all have textures of their own needs none. */
 	if (!o->mesh || o->mesh->uniform || o->mesh->partial)
-		out->texture = pov_use_texture(p, t ? t : pov_default_texture(p));
+		out->texture = use_texture(p, t ? t : pov_default_texture(p), o->uv);
 	if (c->interior_texture)
-		out->interior_texture = pov_use_texture(p, c->interior_texture);
-	if (!check_uv(p, o, out->texture) || !check_uv(p, o, out->interior_texture))
-		return false;
+		out->interior_texture = use_texture(p, c->interior_texture, o->uv);
 	out->texture_place = use_place(p, out->texture, place);
 	out->interior_texture_place = use_place(p, out->interior_texture, &c->interior_texture_place);
 	out->flags |= c->flags | c->hollow | c->double_illuminate;

@@ -119,14 +119,23 @@ static double waves(const struct scene *s, const struct pattern *t, vec p)
 	return 0.2 * (2.5 + sum / s->number_of_waves);
 }
 
-/* A distance before its root: |x|^m + |y|^m + |z|^m, and crackle's offset as in a fourth dimension. */
-static inline double measure(vec d, double metric, double offset)
+/* How far is far: |x|^m + |y|^m + |z|^m, before the root. offset: crackle's, as in a fourth dimension. With
+ * facets and m = 1 POV-Ray leaves out the bars. */
+struct yardstick {
+	double metric, offset;
+	bool facets;
+};
+
+static inline double measure(const struct yardstick *y, vec d)
 {
-	if (metric == 2)
-		return vec_dot(d, d) + offset * offset;
-	if (metric == 1)
-		return fabs(d.x) + fabs(d.y) + fabs(d.z) + offset;
-	return pow(fabs(d.x), metric) + pow(fabs(d.y), metric) + pow(fabs(d.z), metric) + pow(offset, metric);
+	if (y->metric == 2)
+		return vec_dot(d, d) + y->offset * y->offset;
+	if (y->metric == 1 && y->facets)
+		return d.x + d.y + d.z;
+	if (y->metric == 1)
+		return fabs(d.x) + fabs(d.y) + fabs(d.z) + y->offset;
+	return pow(fabs(d.x), y->metric) + pow(fabs(d.y), y->metric) + pow(fabs(d.z), y->metric) +
+	       pow(y->offset, y->metric);
 }
 
 static inline double root(double sum, double metric)
@@ -157,7 +166,7 @@ static void near_keep(struct nearest *near, const struct noise_cell *cell, doubl
 }
 
 /* The three nearest of the random points, one a cell, in the 81 cells about p that can have them. */
-static void nearest_find(struct nearest *near, vec p, double metric, double offset)
+static void nearest_find(struct nearest *near, vec p, const struct yardstick *yard)
 {
 	vec at = noise_cell(p).corner;
 
@@ -170,8 +179,7 @@ static void nearest_find(struct nearest *near, vec p, double metric, double offs
 				if ((abs(x) > 1) + (abs(y) > 1) + (abs(z) > 1) > 1)
 					continue;
 				cell = noise_cell_at(vec_add(at, vec_make(x, y, z)));
-				near_keep(near, &cell, measure(vec_sub(vec_add(cell.corner, cell.random), p), metric,
-							       offset));
+				near_keep(near, &cell, measure(yard, vec_sub(vec_add(cell.corner, cell.random), p)));
 			}
 		}
 	}
@@ -182,12 +190,22 @@ static double crackle(const struct pattern *t, vec p, uint32_t generator)
 	struct nearest near;
 	vec form = t->of.crackle.form;
 	double metric = t->of.crackle.metric;
+	struct yardstick yard = { metric, t->of.crackle.offset, false };
 
-	nearest_find(&near, p, metric, t->of.crackle.offset);
+	nearest_find(&near, p, &yard);
 	if (t->of.crackle.solid)
 		return noise_value(vec_add(near.first.corner, near.first.random), generator);
 	return clip(form.x * root(near.distance[0], metric) + form.y * root(near.distance[1], metric) +
 		    form.z * root(near.distance[2], metric));
+}
+
+vec random_facet(vec p, double metric)
+{
+	struct nearest near;
+	struct yardstick yard = { metric, 0, true };
+
+	nearest_find(&near, p, &yard);
+	return vec_add(near.first.corner, near.first.random);
 }
 
 double random_pattern(const struct scene *s, const struct pattern *t, vec p)

@@ -16,6 +16,9 @@ double random_pattern(const struct scene *, const struct pattern *, vec p);
 /* The generator that a pattern's noise is made by. */
 uint32_t pattern_generator(const struct scene *, const struct pattern *);
 
+/* The nearest of the random points, one a unit cell, by which facets are cut. */
+vec random_facet(vec p, double metric);
+
 /* sin(2 pi v) */
 double cycloidal(double v);
 

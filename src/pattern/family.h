@@ -17,6 +17,9 @@ pattern_function block_brick, block_checker, block_cubic, block_hexagon, block_s
 /* solid.c */
 pattern_function solid_boxed, solid_cylindrical, solid_gradient, solid_onion, solid_planar, solid_radial,
 	solid_spherical, solid_leopard, solid_quilted, solid_spiral1, solid_spiral2;
+/* From the middle of a quilt's cube; and how steep it is at that distance. */
+vec solid_quilt_place(vec p);
+double solid_quilt(const struct pattern *, double distance);
 /* surface.c: of the surface's direction, or another pigment. */
 pattern_function surface_aoi, surface_slope, surface_pigment;
 /* image.c */

@@ -5,6 +5,7 @@ src_libalidade_la_SOURCES += \
 	src/pattern/family.h \
 	src/pattern/image.c src/pattern/image.h \
 	src/pattern/noise.c src/pattern/noise.h \
+	src/pattern/normal.c \
 	src/pattern/pattern.c src/pattern/pattern.h \
 	src/pattern/pigment.c \
 	src/pattern/random.c src/pattern/random.h \

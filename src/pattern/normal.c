@@ -8,6 +8,7 @@
  * steepness however a texture is scaled; with no_bump_scale it keeps its height.
  */
 #include "pattern/family.h"
+#include "pattern/image.h"
 #include "pattern/random.h"
 
 static vec ripples(const struct scene *s, const struct normal *t, vec p, bool waves)
@@ -48,17 +49,11 @@ static vec wrinkles(vec p)
 	return sum;
 }
 
-/* A negative whole number is the end of the quilt below it, as faces of boxes show. */
-static double below(double x)
-{
-	return x >= 0 ? floor(x) : -floor(-x) - 1;
-}
-
 static vec quilted(const struct normal *t, vec p)
 {
-	vec v = { p.x - below(p.x) - 0.5, p.y - below(p.y) - 0.5, p.z - below(p.z) - 0.5 };
+	vec v = solid_quilt_place(p);
 
-	return vec_scale(v, 1.154700538 * solid_quilt(t->pattern, vec_length(v)));
+	return vec_scale(v, solid_quilt(t->pattern, vec_length(v)));
 }
 
 /* A nearby random point stands for the place (coords) or is the normal itself. */
@@ -150,6 +145,7 @@ static vec bend_there(const struct scene *s, const struct normal *t, const struc
 		return mapped(s, t, at, n, keep);
 	/* A slope_map says nothing to patterns that are vectors; POV-Ray reads it and goes on as well. */
 	switch (t->pattern->kind) {
+	case PATTERN_BUMP_MAP: return image_bump(&t->pattern->of.image, at->p, t->amount, n);
 	case PATTERN_BUMPS: return vec_mad(n, noise_vector(at->p), t->amount);
 	case PATTERN_DENTS: return vec_mad(n, dents(s, t, at->p), t->amount);
 	case PATTERN_FACETS: return facets(t, at->p, n);

@@ -61,8 +61,7 @@ bool pattern_known(enum pattern_kind k)
 
 bool pattern_known_slope(enum pattern_kind k)
 {
-	(void)k;
-	return false; /* normals are not bent yet */
+	return k == PATTERN_AVERAGE || k == PATTERN_FACETS || value_of[k];
 }
 
 double wave_triangle(double x)
@@ -94,9 +93,7 @@ double pattern_value_warped(const struct scene *s, const struct pattern *q, cons
 {
 	double value = value_of[q->kind](s, q, at);
 
-	if (q->kind < PATTERN_FIRST_VALUE)
-		return value;
-	/* A little more than 1, so that a value of exactly 1 stays 1: measured. */
+	/* Blocks have a frequency of 0 unless one is given, and then are values like others: measured. A little more than 1, so that a value of exactly 1 stays 1: measured. */
 	if (q->frequency != 0)
 		value = fmod(value * q->frequency + q->phase, 1.00001);
 	if (value < 0)

@@ -111,11 +111,3 @@ void texture_visit(const struct scene *s, const struct texture *texture, const s
 	if (a != b)
 		texture_visit(s, m->entry[b].is.texture, &inner, share * t, visit, self);
 }
-
-vec normal_at(const struct scene *s, const struct normal *normal, const struct pattern_point *at, vec n)
-{
-	(void)s;
-	(void)normal;
-	(void)at;
-	return n;
-}

@@ -77,15 +77,31 @@ double solid_leopard(const struct scene *s, const struct pattern *q, const struc
 }
 
 /* A cubic Bezier curve from 0 to 1 over the distance from a cube's middle, with the controls between. */
+double solid_quilt(const struct pattern *q, double t)
+{
+	double u = 1 - t;
+
+	return 1.154700538 *
+	       (t * t * t + 3 * t * u * u * q->of.quilted.control0 + 3 * t * t * u * q->of.quilted.control1);
+}
+
+/* A negative whole number is the end of the quilt below it, as faces of boxes show. */
+static double below(double x)
+{
+	return x >= 0 ? floor(x) : -floor(-x) - 1;
+}
+
+vec solid_quilt_place(vec p)
+{
+	return vec_make(p.x - below(p.x) - 0.5, p.y - below(p.y) - 0.5, p.z - below(p.z) - 0.5);
+}
+
 double solid_quilted(const struct scene *s, const struct pattern *q, const struct pattern_point *at)
 {
-	vec v = { at->p.x - floor(at->p.x) - 0.5, at->p.y - floor(at->p.y) - 0.5,
-		  at->p.z - floor(at->p.z) - 0.5 };
-	double t = vec_length(v), u = 1 - t;
-	double curve = t * t * t + 3 * t * u * u * q->of.quilted.control0 + 3 * t * t * u * q->of.quilted.control1;
+	vec v = solid_quilt_place(at->p);
 
 	(void)s;
-	return fabs(curve * 1.154700538) * (fabs(v.x) + fabs(v.y) + fabs(v.z)) / 3;
+	return fabs(solid_quilt(q, vec_length(v))) * (fabs(v.x) + fabs(v.y) + fabs(v.z)) / 3;
 }
 
 /* The spiral's phase: around z, outward and along z. */

@@ -47,6 +47,10 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/mirror-bailout.pov \
 	tests/features/mirror-exponent.pov \
 	tests/features/mirrors.pov \
+	tests/features/normals-maps.pov \
+	tests/features/normals-own.pov \
+	tests/features/normals-rays.pov \
+	tests/features/normals-slope.pov \
 	tests/features/odd-lamps.pov \
 	tests/features/opaque-outside.pov \
 	tests/features/orthographic.pov \
@@ -111,6 +115,10 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/mirror-bailout.exr \
 	tests/features/mirror-exponent.exr \
 	tests/features/mirrors.exr \
+	tests/features/normals-maps.exr \
+	tests/features/normals-own.exr \
+	tests/features/normals-rays.exr \
+	tests/features/normals-slope.exr \
 	tests/features/odd-lamps.exr \
 	tests/features/opaque-outside.exr \
 	tests/features/orthographic.exr \

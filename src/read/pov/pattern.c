@@ -228,6 +228,8 @@ static void read_tiling(struct pov *p, struct pattern_draft *d)
 
 static void defaults(struct pattern *q)
 {
+	if (q->kind < PATTERN_FIRST_VALUE)
+		q->frequency = 0;
 	switch (q->kind) {
 	case PATTERN_MARBLE:
 	case PATTERN_WOOD:

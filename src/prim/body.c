@@ -6,6 +6,8 @@
 const struct body_ops *body_ops_of(enum shape_kind kind)
 {
 	switch (kind) {
+	case SHAPE_BLOB:
+		return &blob_ops;
 	case SHAPE_SWEEP:
 		return &sweep_ops;
 	default:
@@ -70,7 +72,7 @@ int piece_intersect(const struct prim *p, const struct prim_piece *q, uint32_t i
 void piece_surface(const struct prim *p, const ald_ray *r, const ald_hit *hit, vec *at, vec *n,
 		   double *error)
 {
-	struct prim_point s;
+	struct prim_point s = { .error = 0 };
 	struct prim_line l;
 
 	prim_line(p, r, &l);

@@ -46,6 +46,7 @@ struct prim_roots {
 struct prim_point {
 	vec p; /* exactly on the canonical surface, but for rounding */
 	vec n; /* unit, outward */
+	double error; /* how far p may be off the surface, beyond the usual few roundoffs */
 };
 
 /* Per kind: roots along o + t d, both in own coordinates; the surface near p; is p inside; how far the

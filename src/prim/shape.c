@@ -201,7 +201,7 @@ void prim_leave(const struct prim *p, const struct prim_point *s, vec *at, vec *
 		for (unsigned i = 0; i < 3; i++)
 			far += fabs((&off.x)[i] * p->to.m[i][j]);
 	}
-	*error = 256 * ALD_U * far / l +
+	*error = (256 * ALD_U * far + s->error) / l +
 		 8 * ALD_U * (fabs(at->x) + fabs(at->y) + fabs(at->z) + fabs(p->centre.x) +
 			      fabs(p->centre.y) + fabs(p->centre.z));
 }
@@ -209,7 +209,7 @@ void prim_leave(const struct prim *p, const struct prim_point *s, vec *at, vec *
 void prim_surface(const struct prim *p, const ald_ray *r, const ald_hit *hit, vec *at, vec *n,
 		  double *error)
 {
-	struct prim_point s;
+	struct prim_point s = { .error = 0 };
 	struct prim_line l;
 
 	prim_line(p, r, &l);

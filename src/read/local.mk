@@ -5,6 +5,7 @@ src_libalidade_la_SOURCES += \
 	src/read/read.c src/read/read.h \
 	src/read/pov/ask.c \
 	src/read/pov/atmosphere.c \
+	src/read/pov/blob.c \
 	src/read/pov/camera.c \
 	src/read/pov/cond.c \
 	src/read/pov/direct.c \

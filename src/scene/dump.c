@@ -273,6 +273,9 @@ static void dump_shape(const struct object *o, FILE *to)
 	case SHAPE_SWEEP:
 		fprintf(to, " sweep %u", o->shape.sweep);
 		break;
+	case SHAPE_BLOB:
+		fprintf(to, " blob %u", o->shape.blob);
+		break;
 	default:
 		fputs(" union", to);
 	}

@@ -53,6 +53,7 @@ void scene_release(struct scene *s)
 	mem_free(s->interior);
 	mem_free(s->mesh);
 	mem_free(s->sweep);
+	mem_free(s->blob);
 	mem_free(s->object);
 	arena_release(&s->arena);
 }
@@ -155,6 +156,23 @@ uint32_t scene_add_sweep(struct scene *s, uint32_t points)
 	s->sweep = p;
 	if (i != SCENE_NONE)
 		s->sweep[i] = (struct sweep){ .count = points, .point = point };
+	return i;
+}
+
+uint32_t scene_add_blob(struct scene *s, uint32_t parts)
+{
+	struct blob_part *part = arena_zalloc(&s->arena, mem_product(parts, sizeof(*part)));
+	void *p = s->blob;
+	uint32_t i;
+
+	if (!part)
+		return SCENE_NONE;
+	for (uint32_t k = 0; k < parts; k++)
+		part[k].texture = SCENE_NONE;
+	i = grow(s, &p, &s->blob_count, &s->blob_room, sizeof(*s->blob));
+	s->blob = p;
+	if (i != SCENE_NONE)
+		s->blob[i] = (struct blob){ .threshold = 1, .count = parts, .part = part };
 	return i;
 }
 
@@ -287,6 +305,26 @@ static uint64_t hash_layer(uint64_t h, const struct layer *l)
 	return HASH(h, l->finish.conserve_energy);
 }
 
+static uint64_t hash_blob(uint64_t h, const struct blob *b)
+{
+	h = HASH(h, b->threshold);
+	for (uint32_t i = 0; i < b->count; i++) {
+		const struct blob_part *p = &b->part[i];
+
+		h = HASH(h, p->cylinder);
+		h = HASH(h, p->base);
+		h = HASH(h, p->apex);
+		h = HASH(h, p->radius);
+		h = HASH(h, p->strength);
+		h = HASH(h, p->texture);
+		if (p->place)
+			h = HASH(h, p->place->fwd);
+		if (p->texture_place)
+			h = HASH(h, p->texture_place->fwd);
+	}
+	return h;
+}
+
 static uint64_t hash_shapes(uint64_t h, const struct scene *s)
 {
 	for (uint32_t i = 0; i < s->mesh_count; i++)
@@ -295,6 +333,8 @@ static uint64_t hash_shapes(uint64_t h, const struct scene *s)
 		h = HASH(h, s->sweep[i].kind);
 		h = hash_words(h, s->sweep[i].point, s->sweep[i].count * sizeof(*s->sweep[i].point));
 	}
+	for (uint32_t i = 0; i < s->blob_count; i++)
+		h = hash_blob(h, &s->blob[i]);
 	for (uint32_t i = 0; i < s->object_count; i++)
 		h = hash_object(h, &s->object[i]);
 	return h;

@@ -115,6 +115,22 @@ struct sweep {
 	double (*point)[4]; /* x, y, z, radius; in the arena */
 };
 
+/* Strength times (1 - d^2 / radius^2)^2, d being the distance from base, or from the segment to apex. */
+struct blob_part {
+	bool cylinder;
+	vec base, apex;
+	double radius, strength;
+	struct xform *place; /* to the blob's coordinates; NULL: the same. In the arena */
+	uint32_t texture; /* SCENE_NONE: the blob's */
+	struct xform *texture_place; /* as an object's */
+};
+
+struct blob {
+	double threshold;
+	uint32_t count; /* at least 1 */
+	struct blob_part *part; /* in the arena */
+};
+
 enum shape_kind {
 	SHAPE_MESH,
 	SHAPE_SPHERE,
@@ -124,6 +140,7 @@ enum shape_kind {
 	SHAPE_DISC,
 	SHAPE_TORUS,
 	SHAPE_SWEEP,
+	SHAPE_BLOB,
 	SHAPE_UNION,
 	SHAPE_KINDS
 };
@@ -151,7 +168,7 @@ struct object {
 	unsigned flags; /* enum object_flag; a parent's are added */
 	uint32_t first_child, next_sibling; /* unions; SCENE_NONE ends */
 	union {
-		uint32_t mesh, sweep;
+		uint32_t mesh, sweep, blob;
 		struct {
 			vec centre;
 			double radius;
@@ -233,6 +250,8 @@ struct scene {
 	struct mesh *mesh; /* arrays by mem_alloc */
 	uint32_t sweep_count, sweep_room;
 	struct sweep *sweep;
+	uint32_t blob_count, blob_room;
+	struct blob *blob;
 	uint32_t object_count, object_room;
 	struct object *object; /* the whole forest */
 	uint32_t first_root, last_root; /* chained by next_sibling in the order of the file */
@@ -250,6 +269,7 @@ uint32_t scene_add_texture(struct scene *, uint32_t layers);
 uint32_t scene_add_interior(struct scene *);
 uint32_t scene_add_mesh(struct scene *);
 uint32_t scene_add_sweep(struct scene *, uint32_t points);
+uint32_t scene_add_blob(struct scene *, uint32_t parts);
 uint32_t scene_add_object(struct scene *);
 struct picture *scene_add_picture(struct scene *); /* NULL: no memory */
 /* Put object o at the end of the roots. */

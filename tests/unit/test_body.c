@@ -209,12 +209,114 @@ static void secondary_rays_leave(void **state)
 	}
 }
 
+/* Balls and capsules, some of them negative, some in odd spaces. */
+static void add_blob(struct world *w, uint32_t parts, double size, double radius, vec shift, uint64_t *seed)
+{
+	struct object *o = add(w, SHAPE_BLOB);
+	uint32_t i = scene_add_blob(&w->scene, parts);
+
+	o->shape.blob = i;
+	w->scene.blob[i].threshold = 0.3;
+	for (uint32_t n = 0; n < parts; n++) {
+		struct blob_part *p = &w->scene.blob[i].part[n];
+
+		p->cylinder = n % 3 == 1;
+		p->base = vec_add(vec_scale(random_vec(seed), size), shift);
+		p->apex = p->cylinder ? vec_add(vec_scale(random_vec(seed), size), shift) : p->base;
+		p->radius = radius * size * (0.5 + uniform(seed));
+		p->strength = n % 5 == 4 ? -1 : 0.5 + uniform(seed);
+		if (n % 4 == 2) {
+			struct xform x = xform_translate(vec_neg(shift));
+			struct xform y = xform_scale(vec_make(1, 0.5 + uniform(seed), 0.7));
+
+			p->place = arena_alloc(&w->scene.arena, sizeof(*p->place));
+			x = xform_mul(&x, &y);
+			y = xform_translate(shift);
+			*p->place = xform_mul(&x, &y);
+		}
+	}
+}
+
+/* Some place in the blob's skin or in it. */
+static vec blob_target(struct world *w, uint64_t *seed)
+{
+	const struct blob *b = &w->scene.blob[0];
+
+	for (;;) {
+		const struct blob_part *p = &b->part[(uint32_t)(uniform(seed) * b->count)];
+		vec at = vec_mad(p->base, vec_sub(p->apex, p->base), uniform(seed));
+
+		at = vec_mad(at, random_unit(seed), p->radius * uniform(seed));
+		if (p->place)
+			at = mat_point(&p->place->fwd, at);
+		if (within(w, at))
+			return at;
+	}
+}
+
+static void blobs_are_closed(void **state)
+{
+	static const struct {
+		uint32_t parts;
+		double radius;
+	} variant[] = { { 7, 0.6 }, { 30, 0.3 }, { 60, 1 } }; /* the last: all reach each other */
+	uint64_t seed = 8;
+
+	(void)state;
+	for (unsigned n = 0; n < 12; n++) {
+		double size = pow(10, 4.0 * (n / 3) - 6);
+		struct world w;
+
+		begin(&w);
+		add_blob(&w, variant[n % 3].parts, size, variant[n % 3].radius, vec_make(0, 0, 0), &seed);
+		build(&w);
+		for (unsigned i = 0; i < (n % 3 == 2 ? 100 : 800); i++)
+			lines_go_in_and_out(&w, blob_target(&w, &seed), size, &seed);
+		end(&w);
+	}
+}
+
+static void blob_rays_leave(void **state)
+{
+	uint64_t seed = 9;
+
+	(void)state;
+	for (unsigned n = 0; n < 10; n++) {
+		double size = pow(10, 3.0 * (n / 2) - 6);
+		vec far = vec_make(n & 1 ? 100 * size : 0, 0, 0);
+		struct world w;
+
+		begin(&w);
+		add_blob(&w, 9, size, 0.6, far, &seed);
+		build(&w);
+		for (unsigned i = 0; i < 2000; i++) {
+			vec to = blob_target(&w, &seed);
+			ald_ray r = ray(vec_mad(to, random_unit(&seed), 4 * size), to);
+			struct surface s;
+			ald_hit h;
+
+			r.dir = vec_sub(to, r.org);
+			h = nearest(&w, &r);
+			assert_true(h.prim != ALD_NONE);
+			surface_at(w.g, &r, &h, &s);
+			r = ray(vec_mad(s.p, s.n, s.error), random_unit(&seed));
+			if (vec_dot(r.dir, s.n) < 0)
+				r.dir = vec_neg(r.dir);
+			h = nearest(&w, &r);
+			assert_true(h.prim == ALD_NONE || h.t > 1e-6 * size);
+		}
+		end(&w);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(sweeps_are_closed),
 		cmocka_unit_test(hits_lie_on_the_surface),
 		cmocka_unit_test(secondary_rays_leave),
+		cmocka_unit_test(blobs_are_closed),
+		cmocka_unit_test(blob_rays_leave),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -60,6 +60,23 @@ static uint32_t some_sweep(struct world *w, enum sweep_kind kind, uint64_t *seed
 	return i;
 }
 
+static uint32_t some_blob(struct world *w, uint64_t *seed)
+{
+	uint32_t i = scene_add_blob(&w->scene, 5);
+
+	w->scene.blob[i].threshold = 0.5;
+	for (unsigned n = 0; n < 5; n++) {
+		struct blob_part *p = &w->scene.blob[i].part[n];
+
+		p->cylinder = n & 1;
+		p->base = random_vec(seed);
+		p->apex = random_vec(seed);
+		p->radius = 0.3 + uniform(seed);
+		p->strength = n == 3 ? -1 : 1 + uniform(seed);
+	}
+	return i;
+}
+
 static void crowd(struct world *w, double size)
 {
 	uint64_t seed = 11;
@@ -69,7 +86,7 @@ static void crowd(struct world *w, double size)
 	shell_sphere(&shell, 6, 1000, 0.2, &seed);
 	shared = shell_mesh(w);
 	once = shell_mesh(w);
-	for (unsigned i = 0; i < 56; i++) {
+	for (unsigned i = 0; i < 63; i++) {
 		enum shape_kind kind = (enum shape_kind)(i % SHAPE_UNION);
 		struct object *o = add(w, kind);
 
@@ -77,7 +94,7 @@ static void crowd(struct world *w, double size)
 		o->place = i & 8 ? o[-8].place : some_place(&seed, i, size);
 		o->flags = i % 7 == 3 ? OBJECT_NO_IMAGE : i % 7 == 5 ? OBJECT_NO_SHADOW : 0;
 		if (kind == SHAPE_MESH)
-			o->shape.mesh = i == 32 ? once : shared;
+			o->shape.mesh = i == 36 ? once : shared;
 		else if (kind == SHAPE_SPHERE)
 			o->shape.sphere.radius = 1;
 		else if (kind == SHAPE_BOX)
@@ -93,6 +110,8 @@ static void crowd(struct world *w, double size)
 			o->shape.cone.base_radius = 1;
 			o->shape.cone.open = i & 16;
 		}
+		if (kind == SHAPE_BLOB)
+			o->shape.blob = some_blob(w, &seed);
 		if (kind == SHAPE_SWEEP)
 			o->shape.sweep = some_sweep(w, i & 16 ? SWEEP_CUBIC : SWEEP_LINEAR, &seed);
 		if (kind == SHAPE_DISC) {

@@ -84,6 +84,12 @@ struct pov_mesh {
 	bool resolved; /* memo: the scene's mesh has the scene's texture indices */
 };
 
+struct pov_blob {
+	uint32_t index; /* of the scene's blob */
+	struct pov_texture **texture; /* by component; NULL: the blob's own */
+	bool resolved; /* memo: the scene's blob has the scene's texture indices */
+};
+
 struct pov_child {
 	struct pov_object *object;
 	struct pov_child *next;
@@ -93,6 +99,7 @@ struct pov_object { /* ITEM_OBJECT */
 	struct object object; /* shape, place and flags; relations and indices are not used */
 	struct light *light; /* not NULL: a light source, and nothing else */
 	struct pov_mesh *mesh; /* SHAPE_MESH */
+	struct pov_blob *blob; /* SHAPE_BLOB */
 	struct pov_texture *texture, *interior_texture;
 	struct xform texture_place, interior_texture_place; /* transforms that came after them */
 	struct pov_interior *interior;
@@ -169,6 +176,7 @@ struct pov_object *pov_read_mesh2(struct pov *, const struct diag_pos *at);
 struct pov_object *pov_read_triangle(struct pov *, const struct diag_pos *at, bool smooth);
 /* The numbers of shapes that have a file of their own. */
 void pov_read_sweep(struct pov *, struct object *);
+struct pov_object *pov_read_blob(struct pov *, struct pov_object *);
 /* Any object; not one: NULL and nothing read, or after an error. */
 struct pov_object *pov_read_object(struct pov *);
 bool pov_starts_object(struct pov *);

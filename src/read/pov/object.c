@@ -147,7 +147,6 @@ static const struct shape_word {
 	{ TOK_TORUS, SHAPE_TORUS, read_torus },
 	{ TOK_SPHERE_SWEEP, SHAPE_SWEEP, pov_read_sweep },
 	{ TOK_BICUBIC_PATCH, SHAPE_UNION, NULL },
-	{ TOK_BLOB, SHAPE_UNION, NULL },
 	{ TOK_CUBIC, SHAPE_UNION, NULL },
 	{ TOK_DIFFERENCE, SHAPE_UNION, NULL },
 	{ TOK_HEIGHT_FIELD, SHAPE_UNION, NULL },
@@ -185,6 +184,7 @@ bool pov_starts_object(struct pov *p)
 	case TOK_OBJECT:
 	case TOK_UNION:
 	case TOK_COMPOSITE:
+	case TOK_BLOB:
 	case TOK_MESH:
 	case TOK_MESH2:
 	case TOK_TRIANGLE:
@@ -440,6 +440,8 @@ static struct pov_object *read_body(struct pov *p, struct pov_object *o, enum po
 	case TOK_UNION:
 	case TOK_COMPOSITE:
 		return read_union(p, o);
+	case TOK_BLOB:
+		return pov_read_blob(p, o);
 	case TOK_MESH:
 		return pov_read_mesh(p, at);
 	case TOK_MESH2:

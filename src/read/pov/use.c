@@ -136,6 +136,21 @@ static struct xform *use_place(struct pov *p, uint32_t texture, const struct xfo
 	return x;
 }
 
+static bool use_blob_textures(struct pov *p, struct pov_blob *b)
+{
+	uint32_t count = pov_scene(p)->blob[b->index].count;
+
+	for (uint32_t i = 0; i < count && !b->resolved && !pov_failed(p); i++) {
+		if (b->texture[i]) {
+			uint32_t t = pov_use_texture(p, b->texture[i]);
+
+			pov_scene(p)->blob[b->index].part[i].texture = t;
+		}
+	}
+	b->resolved = true;
+	return !pov_failed(p);
+}
+
 /* Flags, textures and interior of a shape that is no union. */
 static bool use_look(struct pov *p, struct pov_object *o, const struct context *c, struct object *out)
 {
@@ -147,6 +162,8 @@ static bool use_look(struct pov *p, struct pov_object *o, const struct context *
 		place = &c->place; /* faces' own textures move with the mesh */
 	}
 	if (o->mesh && !use_mesh_textures(p, o->mesh, o->uv))
+		return false;
+	if (o->blob && !use_blob_textures(p, o->blob))
 		return false;
 	/* A mesh whose faces all have textures of their own needs none. */
 	if (!o->mesh || o->mesh->uniform || o->mesh->partial)

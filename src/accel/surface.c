@@ -99,7 +99,7 @@ static void mesh_surface(const struct scene *sc, const struct prim_leaf *f, uint
 
 		if (t != SCENE_NONE) {
 			s->texture[k] = t;
-			s->texture_place = &f->place; /* faces' own textures move with the mesh */
+			s->texture_place[k] = &f->place; /* faces' own textures move with the mesh */
 		}
 	}
 }
@@ -129,7 +129,8 @@ static void leave_world(const struct prim_level *l, const struct place *at, stru
 
 static void leaf_surface(const struct scene *sc, const struct prim_leaf *f, struct surface *s)
 {
-	s->texture_place = sc->object[f->object].texture_place;
+	for (unsigned k = 0; k < 3; k++)
+		s->texture_place[k] = sc->object[f->object].texture_place;
 	s->interior_texture_place = sc->object[f->object].interior_texture_place;
 	s->u = s->v = 0;
 	s->texture[0] = s->texture[1] = s->texture[2] = f->texture;
@@ -139,6 +140,28 @@ static void leaf_surface(const struct scene *sc, const struct prim_leaf *f, stru
 	s->flags = f->flags;
 	s->bary[0] = 1;
 	s->bary[1] = s->bary[2] = 0;
+	s->blend = 3;
+}
+
+/* Components with textures of their own are blended by what they add to the density. */
+static void blob_surface(const struct scene *sc, const struct prim *p, const struct object *o,
+			 const ald_hit *hit, vec at, struct surface *s)
+{
+	const struct blob *b = &sc->blob[o->shape.blob];
+	uint32_t part[SURFACE_BLEND], own = s->texture[0];
+	const struct xform *own_place = s->texture_place[0];
+
+	s->blend = blob_blend(b, p, hit->part, at, part, s->bary, SURFACE_BLEND);
+	for (uint32_t i = 0; i < s->blend || i < 3; i++) {
+		const struct blob_part *q = part[i < s->blend ? i : 0] == SCENE_NONE ?
+						    NULL :
+						    &b->part[part[i < s->blend ? i : 0]];
+
+		s->texture[i] = q ? q->texture : own;
+		s->texture_place[i] = q ? q->texture_place : own_place;
+		s->bary[i] = i < s->blend ? s->bary[i] : 0;
+	}
+	s->blend = s->blend < 3 ? 3 : s->blend;
 }
 
 static void level_ray(const struct prim_level *l, const ald_ray *in, ald_ray *out)
@@ -154,6 +177,7 @@ void surface_at(const struct geometry *g, const ald_ray *ray, const ald_hit *hit
 	const struct prim_leaf *f;
 	const struct prim_instance *in;
 	uint32_t leaf, face = 0, id = hit->prim;
+	const struct prim *body = NULL;
 	bool mesh = false;
 	struct place at;
 	ald_ray r;
@@ -180,7 +204,8 @@ void surface_at(const struct geometry *g, const ald_ray *ray, const ald_hit *hit
 			break;
 		case PRIM_PIECE:
 			level_ray(l, ray, &r);
-			piece_surface(&l->body[l->piece[id].body], &r, hit, &at.p, &at.n, &at.error);
+			body = &l->body[l->piece[id].body];
+			piece_surface(body, &r, hit, &at.p, &at.n, &at.error);
 			break;
 		case PRIM_INSTANCE:
 			in = &l->instance[id];
@@ -193,6 +218,8 @@ void surface_at(const struct geometry *g, const ald_ray *ray, const ald_hit *hit
 	}
 	f = &g->set.leaf[leaf];
 	leaf_surface(g->set.scene, f, s);
+	if (f->kind == SHAPE_BLOB)
+		blob_surface(g->set.scene, body, &g->set.scene->object[f->object], hit, at.p, s);
 	leave_world(l, &at, s);
 	if (mesh)
 		mesh_surface(g->set.scene, f, face, hit->u, hit->v, s);

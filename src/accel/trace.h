@@ -29,18 +29,23 @@ enum trace_mask {
 
 struct geometry; /* opaque; made by geometry_build() */
 
+/* Textures that meet in one place: three at a triangle's corners; of a blob's components those with the
+ * greatest shares. */
+#define SURFACE_BLEND 8
+
 /* What shading needs to know of a hit, in world coordinates. */
 struct surface {
 	vec p; /* on the surface */
 	vec n; /* unit geometric normal of the primitive, outward; of a triangle: (c - a) x (b - a) in its
 		  own coordinates, whatever the transform mirrors, as POV-Ray has it */
 	vec ns; /* unit shading normal, in n's hemisphere as the mesh gives it; = n where flat */
-	double bary[3]; /* of a triangle's corners */
-	uint32_t texture[3]; /* scene textures; [1] and [2] equal [0] unless blended by bary; SCENE_NONE:
-				nobody gave one */
+	double bary[SURFACE_BLEND]; /* of a triangle's corners, or the textures' shares */
+	uint32_t texture[SURFACE_BLEND]; /* scene textures; [1] and [2] equal [0] unless blended by bary;
+					    SCENE_NONE: nobody gave one */
+	uint32_t blend; /* how many of bary and texture there are, at least 3 */
 	uint32_t interior_texture; /* or SCENE_NONE */
-	const struct xform *texture_place, *interior_texture_place; /* their coordinates to the world; NULL: the
-								       same */
+	/* Their coordinates to the world; NULL: the same. */
+	const struct xform *texture_place[SURFACE_BLEND], *interior_texture_place;
 	double u, v; /* texture coordinates; 0 unless the scene asks for them */
 	uint32_t interior; /* or SCENE_NONE */
 	uint32_t object; /* the leaf object as a volume: equal for all surfaces of one solid; leaves are
@@ -49,6 +54,13 @@ struct surface {
 	bool planar; /* next rays may skip this primitive by id */
 	double error; /* what surface_error() returns */
 };
+
+/* Is texture[0] all there is? */
+static inline bool surface_is_even(const struct surface *s)
+{
+	return s->blend == 3 && s->texture[0] == s->texture[1] && s->texture[0] == s->texture[2] &&
+	       s->texture_place[0] == s->texture_place[1] && s->texture_place[0] == s->texture_place[2];
+}
 
 struct accel_choice; /* a loaded plugin with parameter values, of load.h; NULL: brute force */
 

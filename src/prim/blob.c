@@ -355,6 +355,60 @@ static void blob_surface(const struct prim *p, vec at, uint32_t piece, double u,
 	s->error = l > 0 ? fmin(64 * ALD_U * size * (own->near_count + 4) / l, 1e-6) : 1e-6;
 }
 
+/* Do these components look the same? */
+static bool alike(const struct blob *b, uint32_t i, uint32_t k)
+{
+	if (i == SCENE_NONE || k == SCENE_NONE)
+		return i == k;
+	return b->part[i].texture == b->part[k].texture &&
+	       b->part[i].texture_place == b->part[k].texture_place;
+}
+
+/* As POV-Ray weighs them: by the size of the density, also where it is negative. */
+uint32_t blob_blend(const struct blob *blob, const struct prim *p, uint32_t piece, vec at, uint32_t *part,
+		    double *share, uint32_t room)
+{
+	const struct prim_blob *b = p->data;
+	const struct part *q = &b->part[piece];
+	double sum = 0;
+	uint32_t n = 0;
+	vec slope;
+
+	at = mat_dir(&p->to, vec_sub(at, p->centre));
+	for (uint32_t i = 0; i < q->near_count; i++) {
+		uint32_t which = b->near[q->first_near + i], k = 0;
+		double f = fabs(field(&b->part[which], at, &slope));
+
+		if (f == 0)
+			continue;
+		if (blob->part[which].texture == SCENE_NONE)
+			which = SCENE_NONE;
+		while (k < n && !alike(blob, part[k], which))
+			k++;
+		if (k == room) { /* the faintest makes room, if it is fainter */
+			k = 0;
+			for (uint32_t j = 1; j < n; j++)
+				k = share[j] < share[k] ? j : k;
+			if (share[k] >= f)
+				continue;
+			share[k] = 0;
+		} else if (k == n) {
+			share[n++] = 0;
+		}
+		part[k] = which;
+		share[k] += f;
+	}
+	for (uint32_t k = 0; k < n; k++)
+		sum += share[k];
+	for (uint32_t k = 0; k < n; k++)
+		share[k] /= sum;
+	if (n)
+		return n;
+	part[0] = SCENE_NONE;
+	share[0] = 1;
+	return 1;
+}
+
 static bool blob_inside(const struct prim *p, vec at)
 {
 	const struct prim_blob *b = p->data;

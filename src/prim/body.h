@@ -58,6 +58,10 @@ bool piece_make(struct prim_piece *, const struct prim *, uint32_t body, uint32_
 int piece_intersect(const struct prim *, const struct prim_piece *, uint32_t id, const ald_ray *,
 		    ald_hit *);
 void piece_surface(const struct prim *, const ald_ray *, const ald_hit *, vec *p, vec *n, double *error);
+/* The components whose textures meet at p on a piece's surface, one for each texture and place, SCENE_NONE
+ * for the blob's own, and their shares; at most room of them, those with the greatest shares. */
+uint32_t blob_blend(const struct blob *, const struct prim *, uint32_t piece, vec p, uint32_t *part,
+		    double *share, uint32_t room);
 bool body_inside(const struct prim *, vec p);
 
 #endif

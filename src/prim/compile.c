@@ -193,6 +193,14 @@ unsigned prim_leaf_mask(const struct scene *s, const struct prim_leaf *f)
 {
 	unsigned mask = prim_texture_mask(s, f->texture);
 
+	if (f->kind == SHAPE_BLOB) {
+		const struct blob *b = &s->blob[s->object[f->object].shape.blob];
+
+		for (uint32_t i = 0; i < b->count; i++) {
+			if (prim_texture_mask(s, b->part[i].texture) == PRIM_SHADOW_CLEAR)
+				mask = PRIM_SHADOW_CLEAR;
+		}
+	}
 	if (f->kind != SHAPE_MESH && f->interior_texture != SCENE_NONE &&
 	    texture_translucent(&s->texture[f->interior_texture]))
 		mask = PRIM_SHADOW_CLEAR;

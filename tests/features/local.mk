@@ -12,6 +12,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/camera-spherical-half.pov \
 	tests/features/camera-spherical.pov \
 	tests/features/camera-wide.pov \
+	tests/features/blobs.pov \
 	tests/features/depth-limit.pov \
 	tests/features/diffuse-back.pov \
 	tests/features/diffuse.pov \
@@ -80,6 +81,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/camera-spherical-half.exr \
 	tests/features/camera-spherical.exr \
 	tests/features/camera-wide.exr \
+	tests/features/blobs.exr \
 	tests/features/depth-limit.exr \
 	tests/features/diffuse-back.exr \
 	tests/features/diffuse.exr \

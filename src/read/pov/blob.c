@@ -14,6 +14,7 @@
 struct draft {
 	struct blob_part part;
 	struct pov_texture *texture;
+	struct xform texture_place;
 };
 
 static struct draft *add_part(struct pov *p, struct buf *parts)
@@ -25,7 +26,7 @@ static struct draft *add_part(struct pov *p, struct buf *parts)
 		return NULL;
 	}
 	d = BUF_AT(parts, struct draft, parts->count++);
-	*d = (struct draft){ .part.texture = SCENE_NONE };
+	*d = (struct draft){ .part.texture = SCENE_NONE, .texture_place = xform_identity };
 	return d;
 }
 
@@ -45,32 +46,50 @@ static void read_old(struct pov *p, struct blob_part *part)
 	part->base = part->apex = pov_finite_vector(p, "the blob component's centre");
 }
 
+static bool read_texture(struct pov *p, struct draft *d)
+{
+	struct pov_material m = { .texture = d->texture };
+
+	switch (pov_token(p)) {
+	case TOK_TEXTURE:
+		d->texture = pov_texture_over(p, pov_read_texture(p), d->texture);
+		return true;
+	case TOK_PIGMENT:
+	case TOK_NORMAL:
+	case TOK_FINISH:
+		return pov_texture_part(p, &d->texture);
+	case TOK_MATERIAL:
+		if (!pov_read_material(p, &m))
+			return false;
+		d->texture = m.texture;
+		return true;
+	default:
+		return false;
+	}
+}
+
+/* What moves a component moves the textures that it has by then. */
 static void read_modifiers(struct pov *p, struct draft *d)
 {
-	struct pov_material m = { d->texture, NULL, NULL };
-	struct xform x = xform_identity;
+	struct xform x = xform_identity, all = xform_identity;
 
 	while (!pov_failed(p)) {
 		if (pov_transform(p, &x)) {
+			all = xform_mul(&all, &x);
+			d->texture_place = xform_mul(&d->texture_place, &x);
+			x = xform_identity;
 			continue;
-		} else if (pov_token(p) == TOK_TEXTURE) {
-			d->texture = pov_texture_over(p, pov_read_texture(p), d->texture);
-		} else if (pov_token(p) == TOK_PIGMENT || pov_token(p) == TOK_NORMAL ||
-			   pov_token(p) == TOK_FINISH) {
-			pov_texture_part(p, &d->texture);
-		} else if (pov_token(p) == TOK_MATERIAL) {
-			m.texture = d->texture;
-			if (pov_read_material(p, &m))
-				d->texture = m.texture;
-		} else {
-			break;
 		}
+		if (d->texture && !mat_is_identity(&d->texture_place.fwd))
+			d->texture = pov_texture_transform(p, d->texture, &d->texture_place);
+		d->texture_place = xform_identity;
+		if (!read_texture(p, d))
+			break;
 	}
-	if (!mat_is_identity(&x.fwd))
-		d->part.place = pov_failed(p) ? NULL : arena_zalloc(&pov_scene(p)->arena, sizeof(x));
-	if (d->part.place)
-		*d->part.place = x;
-	else if (!mat_is_identity(&x.fwd) && !pov_failed(p))
+	if (pov_failed(p) || mat_is_identity(&all.fwd))
+		return;
+	d->part.place = (void *)arena_memdup(&pov_scene(p)->arena, &all, sizeof(all));
+	if (!d->part.place)
 		pov_no_memory(p);
 }
 
@@ -130,13 +149,15 @@ static bool keep(struct pov *p, struct pov_object *o, const struct buf *parts, d
 
 	if (i == SCENE_NONE || !b)
 		return pov_no_memory(p);
-	b->texture = pov_new(p, parts->count * sizeof(struct pov_texture *));
-	if (!b->texture)
+	b->texture = pov_new(p, parts->count * sizeof(*b->texture));
+	b->texture_place = pov_new(p, parts->count * sizeof(*b->texture_place));
+	if (!b->texture || !b->texture_place)
 		return false;
 	s->blob[i].threshold = threshold;
 	for (uint32_t k = 0; k < parts->count; k++) {
 		s->blob[i].part[k] = BUF_AT(parts, struct draft, k)->part;
 		b->texture[k] = BUF_AT(parts, struct draft, k)->texture;
+		b->texture_place[k] = BUF_AT(parts, struct draft, k)->texture_place;
 	}
 	b->index = i;
 	o->blob = b;

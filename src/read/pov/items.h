@@ -87,7 +87,8 @@ struct pov_mesh {
 struct pov_blob {
 	uint32_t index; /* of the scene's blob */
 	struct pov_texture **texture; /* by component; NULL: the blob's own */
-	bool resolved; /* memo: the scene's blob has the scene's texture indices */
+	struct xform *texture_place; /* by component: their coordinates to the blob's */
+	bool used; /* memo: the scene's blob has the scene's texture indices and places */
 };
 
 struct pov_child {

@@ -11,6 +11,8 @@
 
 #include "read/pov/items.h"
 
+#include <string.h>
+
 #define HANDED_DOWN ((unsigned)(OBJECT_HOLLOW | OBJECT_DOUBLE_ILLUMINATE))
 
 /* What an object gets from the unions around it. */
@@ -136,18 +138,37 @@ static struct xform *use_place(struct pov *p, uint32_t texture, const struct xfo
 	return x;
 }
 
-static bool use_blob_textures(struct pov *p, struct pov_blob *b)
+/* Components' textures lie where the object does, so that a blob that is used again is another one, unless
+ * no component has a texture. */
+static bool use_blob(struct pov *p, struct pov_blob *b, const struct xform *place, uint32_t *index)
 {
-	uint32_t count = pov_scene(p)->blob[b->index].count;
+	struct scene *s = pov_scene(p);
+	uint32_t count = s->blob[b->index].count, i = b->index, textures = 0;
 
-	for (uint32_t i = 0; i < count && !b->resolved && !pov_failed(p); i++) {
-		if (b->texture[i]) {
-			uint32_t t = pov_use_texture(p, b->texture[i]);
-
-			pov_scene(p)->blob[b->index].part[i].texture = t;
-		}
+	for (uint32_t k = 0; k < count; k++)
+		textures += b->texture[k] != NULL;
+	*index = i;
+	if (!textures)
+		return true;
+	if (b->used) {
+		i = scene_add_blob(s, count);
+		if (i == SCENE_NONE)
+			return pov_no_memory(p);
+		s->blob[i].threshold = s->blob[b->index].threshold;
+		memcpy(s->blob[i].part, s->blob[b->index].part, count * sizeof(*s->blob[i].part));
 	}
-	b->resolved = true;
+	for (uint32_t k = 0; k < count && !pov_failed(p); k++) {
+		struct xform x = xform_mul(&b->texture_place[k], place);
+		uint32_t t;
+
+		if (!b->texture[k])
+			continue;
+		t = pov_use_texture(p, b->texture[k]);
+		s->blob[i].part[k].texture = t;
+		s->blob[i].part[k].texture_place = use_place(p, t, &x);
+	}
+	b->used = true;
+	*index = i;
 	return !pov_failed(p);
 }
 
@@ -163,7 +184,7 @@ static bool use_look(struct pov *p, struct pov_object *o, const struct context *
 	}
 	if (o->mesh && !use_mesh_textures(p, o->mesh, o->uv))
 		return false;
-	if (o->blob && !use_blob_textures(p, o->blob))
+	if (o->blob && !use_blob(p, o->blob, &c->place, &out->shape.blob))
 		return false;
 	/* A mesh whose faces all have textures of their own needs none. */
 	if (!o->mesh || o->mesh->uniform || o->mesh->partial)

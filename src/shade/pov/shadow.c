@@ -76,13 +76,12 @@ static struct rgb surface_filter(const struct shader *sh, const struct surface *
 
 	if (f.cosine > 0 && s->interior_texture != SCENE_NONE) {
 		filter_texture(&f, s, s->interior_texture, s->interior_texture_place, dir, 1);
-	} else if (s->texture[0] == s->texture[1] && s->texture[0] == s->texture[2] &&
-		   s->texture[0] != SCENE_NONE) {
-		filter_texture(&f, s, s->texture[0], s->texture_place, dir, 1);
+	} else if (surface_is_even(s) && s->texture[0] != SCENE_NONE) {
+		filter_texture(&f, s, s->texture[0], s->texture_place[0], dir, 1);
 	} else {
-		for (int i = 0; i < 3; i++) {
+		for (uint32_t i = 0; i < s->blend; i++) {
 			if (s->bary[i] >= scene->adc_bailout && s->texture[i] != SCENE_NONE)
-				filter_texture(&f, s, s->texture[i], s->texture_place, dir, s->bary[i]);
+				filter_texture(&f, s, s->texture[i], s->texture_place[i], dir, s->bary[i]);
 		}
 	}
 	return f.sum;

@@ -211,13 +211,13 @@ void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald
 			  .first_gather = t->gather.count };
 	if (from_inside && s.interior_texture != SCENE_NONE) {
 		add_texture(&l, &s, s.interior_texture, s.interior_texture_place, 1);
-	} else if (s.texture[0] == s.texture[1] && s.texture[0] == s.texture[2]) {
-		add_texture(&l, &s, s.texture[0], s.texture_place, 1);
+	} else if (surface_is_even(&s)) {
+		add_texture(&l, &s, s.texture[0], s.texture_place[0], 1);
 	} else {
 		/* POV-Ray leaves out textures of a share below adc_bailout. */
-		for (int i = 0; i < 3; i++) {
-			if (s.bary[i] >= sh->scene->adc_bailout)
-				add_texture(&l, &s, s.texture[i], s.texture_place, s.bary[i]);
+		for (uint32_t i = 0; i < s.blend; i++) {
+			if (s.bary[i] >= shade_bailout(sh, n->bounce))
+				add_texture(&l, &s, s.texture[i], s.texture_place[i], s.bary[i]);
 		}
 	}
 	m.part_count = t->part.count - m.first_part;

@@ -42,8 +42,8 @@ echo 'camera { location -z } sphere { <1e400, 0, 0>, 1 }' >huge.pov
 ok "a number out of range" ends 3 "huge.pov:1:[0-9]*: error: " huge.pov
 head -c 4096 /dev/urandom >noise.pov
 ok "noise" fails 3 "$ALIDADE" noise.pov
-echo 'camera { location -z look_at 0 } blob { threshold 0.5 sphere { 0, 1, 1 } }' >blob.pov
-ok "what is not supported" ends 3 "blob.pov:1:[0-9]*: error: .*blob" blob.pov
+echo 'camera { location -z look_at 0 } julia_fractal { <-0.1,0.8,-0.1,0> }' >julia.pov
+ok "what is not supported" ends 3 "julia.pov:1:[0-9]*: error: .*julia_fractal" julia.pov
 
 # The accelerator.
 ok "no such accelerator" ends 4 "nothing-like-it" -a nothing-like-it scene.pov

@@ -140,7 +140,7 @@ static struct xform *use_place(struct pov *p, uint32_t texture, const struct xfo
 
 /* Components' textures lie where the object does, so that a blob that is used again is another one, unless
  * no component has a texture. */
-static bool use_blob(struct pov *p, struct pov_blob *b, const struct xform *place, uint32_t *index)
+static bool use_blob(struct pov *p, struct pov_blob *b, bool uv, const struct xform *place, uint32_t *index)
 {
 	struct scene *s = pov_scene(p);
 	uint32_t count = s->blob[b->index].count, i = b->index, textures = 0;
@@ -163,7 +163,7 @@ static bool use_blob(struct pov *p, struct pov_blob *b, const struct xform *plac
 
 		if (!b->texture[k])
 			continue;
-		t = pov_use_texture(p, b->texture[k]);
+		t = use_texture(p, b->texture[k], uv);
 		s->blob[i].part[k].texture = t;
 		s->blob[i].part[k].texture_place = use_place(p, t, &x);
 	}
@@ -184,7 +184,7 @@ static bool use_look(struct pov *p, struct pov_object *o, const struct context *
 	}
 	if (o->mesh && !use_mesh_textures(p, o->mesh, o->uv))
 		return false;
-	if (o->blob && !use_blob(p, o->blob, &c->place, &out->shape.blob))
+	if (o->blob && !use_blob(p, o->blob, o->uv, &c->place, &out->shape.blob))
 		return false;
 	/* A mesh whose faces all have textures of their own needs none. */
 	if (!o->mesh || o->mesh->uniform || o->mesh->partial)

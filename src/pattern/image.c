@@ -300,7 +300,7 @@ struct rgbft image_colour(const struct picture_place *m, vec p)
 	c = look(m, s).c;
 	if (!m->premultiplied)
 		return c;
-	alpha = 1 - c.filter - c.transmit;
+	alpha = 1 - c.transmit; /* transmit all counts, filter does not: measured */
 	if (alpha > 0 && alpha != 1) {
 		c.r /= alpha;
 		c.g /= alpha;
@@ -320,7 +320,7 @@ double image_value(const struct picture_place *m, vec p)
 	t = look(m, s);
 	/* use_index changes nothing here, in POV-Ray neither. */
 	if (m->use == PICTURE_ALPHA)
-		v = m->picture->clear ? t.c.transmit : t.c.r;
+		v = m->picture->palette_count || !(m->picture->channels & 1) ? t.c.transmit : t.c.r;
 	else
 		v = rgb_grey(rgbft_rgb(t.c));
 	return v < 0 ? 0 : v > 1 ? 1 : v;

@@ -49,7 +49,7 @@ static char *search_moved(struct pov *p, const char *name, const struct diag_pos
 	char *path = NULL;
 
 	for (int i = 0; end && !path && i < SUFFIXES_MAX; i++) {
-		if (*end != '/' && *end != '\\')
+		if (*end != '/' && *end != '\\' && strncmp(end, "..", 2) != 0)
 			path = pov_find_file(p, end);
 		if (!path)
 			end = shorter(end);

@@ -39,6 +39,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/image-interpolate.pov \
 	tests/features/image-pattern.pov \
 	tests/features/image-types.pov \
+	tests/features/image-uv.pov \
 	tests/features/interior-texture.pov \
 	tests/features/layers.pov \
 	tests/features/legacy-layers.pov \
@@ -108,6 +109,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/image-interpolate.exr \
 	tests/features/image-pattern.exr \
 	tests/features/image-types.exr \
+	tests/features/image-uv.exr \
 	tests/features/interior-texture.exr \
 	tests/features/layers.exr \
 	tests/features/legacy-layers.exr \

@@ -168,14 +168,6 @@ static void pigment(const struct machine *m, const struct function *f, const dou
 	out[4] = single(c.transmit);
 }
 
-static double pattern(const struct machine *m, const struct function *f, const double *arg)
-{
-	const struct pattern_point at = { .p = vec_make(arg[0], arg[1], arg[2]), .n = { 0, 0, 1 },
-					  .dir = { 0, 0, -1 } };
-
-	return pattern_value(m->scene, f->is.pattern, &at);
-}
-
 static void evaluate(struct machine *m, const struct function *f, double *reg, double *out)
 {
 	vec p;
@@ -183,7 +175,7 @@ static void evaluate(struct machine *m, const struct function *f, double *reg, d
 	switch (f->kind) {
 	case FUNCTION_PROGRAM: out[0] = run(m, f, reg); return;
 	case FUNCTION_INTERNAL: out[0] = internal_eval(m->scene, f->is.internal, reg); return;
-	case FUNCTION_PATTERN: out[0] = pattern(m, f, reg); return;
+	case FUNCTION_PATTERN: return;
 	case FUNCTION_PIGMENT: pigment(m, f, reg, out); return;
 	case FUNCTION_TRANSFORM:
 		p = mat_point(&f->is.place, vec_make(reg[0], reg[1], reg[2]));

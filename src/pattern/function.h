@@ -21,10 +21,11 @@ uint64_t function_eval(const struct scene *, const struct function *, const doub
 /* The first result at a point: of functions of x, y and z. */
 double function_at(const struct scene *, const struct function *, vec p);
 
-/* POV-Ray's internal functions: how many arguments number n takes, x, y and z among them; 0: there is none
- * of that number here. */
+/* POV-Ray's internal functions by number: how many arguments they take, x, y and z among them (0: there is
+ * none), what functions.inc calls them (or NULL), and whether they are known here too. */
 uint32_t internal_params(uint32_t n);
-const char *internal_name(uint32_t n); /* as in functions.inc, also of those that are not here; or NULL */
+const char *internal_name(uint32_t n);
+bool internal_here(uint32_t n);
 double internal_eval(const struct scene *, uint32_t n, const double *arg);
 
 /* out: its terms. kind: the spline's own, or another one. */

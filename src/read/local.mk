@@ -12,6 +12,7 @@ src_libalidade_la_SOURCES += \
 	src/read/pov/expr.c \
 	src/read/pov/finish.c \
 	src/read/pov/func.c \
+	src/read/pov/function.c src/read/pov/function.h \
 	src/read/pov/internal.h \
 	src/read/pov/image.c \
 	src/read/pov/interior.c \
@@ -32,11 +33,13 @@ src_libalidade_la_SOURCES += \
 	src/read/pov/pattern.c src/read/pov/pattern.h \
 	src/read/pov/pigment.c \
 	src/read/pov/pov.c \
+	src/read/pov/program.c src/read/pov/program.h \
 	src/read/pov/picture.c src/read/pov/picture.h \
 	src/read/pov/radiosity.c \
 	src/read/pov/scan.c src/read/pov/scan.h \
 	src/read/pov/settings.c \
 	src/read/pov/source.c \
+	src/read/pov/spline.c \
 	src/read/pov/string.c \
 	src/read/pov/sweep.c \
 	src/read/pov/texture.c \

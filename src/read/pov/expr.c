@@ -9,6 +9,7 @@
  */
 #include <config.h>
 
+#include "read/pov/function.h"
 #include "read/pov/internal.h"
 
 #include <math.h>
@@ -53,35 +54,16 @@ static void vector_literal(struct pov *p, struct pov_value *v)
 	pov_unnest(p);
 }
 
-/* A call of a user's function or spline: its arguments are passed over. */
-static void call(struct pov *p, struct pov_value *v)
-{
-	struct diag_pos pos = pov_pos(p);
-	bool spline = p->tok.value.item_kind == ITEM_SPLINE;
-	int depth = 0;
-
-	fill(v, 0);
-	if (!pov_unsupported(p, &pos, spline ? "the value of a spline" : "calling a user-defined function",
-			     "declare the value itself"))
-		return;
-	pov_next(p);
-	do {
-		if (pov_token(p) == TOK_LEFT_PAREN)
-			depth++;
-		else if (p->tok.kind == TOK_RIGHT_PAREN)
-			depth--;
-		else if (p->tok.kind == TOK_END || !depth)
-			break;
-		pov_next(p);
-	} while (depth && !p->failed);
-}
-
 static void identifier(struct pov *p, struct pov_value *v)
 {
 	const struct slot *s = &p->tok.value;
 
-	if (s->kind == SLOT_ITEM && (s->item_kind == ITEM_FUNCTION || s->item_kind == ITEM_SPLINE)) {
-		call(p, v);
+	if (s->kind == SLOT_ITEM && s->item_kind == ITEM_FUNCTION) {
+		function_call(p, v);
+		return;
+	}
+	if (s->kind == SLOT_ITEM && s->item_kind == ITEM_SPLINE) {
+		spline_call(p, v);
 		return;
 	}
 	if (s->kind != SLOT_NUMBER) {

@@ -9,6 +9,7 @@
 #include "read/pov/program.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "pattern/function.h"
@@ -302,7 +303,7 @@ static struct operand operand(struct program *g)
 		pov_unnest(p);
 		return v;
 	case TOK_NEW_IDENT:
-		pov_fail(p, "%s is neither a parameter of this function nor declared", pov_text(p));
+		pov_fail(p, "%s is no parameter of this function either", pov_text(p));
 		return v;
 	default:
 		return word(g);
@@ -406,7 +407,7 @@ static void read_internal(struct program *g)
 	f->kind = FUNCTION_INTERNAL;
 	f->is.internal = (uint32_t)n;
 	f->params = internal_params((uint32_t)n);
-	if (!f->params) {
+	if (!internal_here(f->is.internal)) {
 		snprintf(text, sizeof(text), "the internal function %s", name);
 		name = arena_strdup(&p->arena, text);
 		pov_lack_note(p, &g->out->lack, name ? name : "an internal function", NULL);
@@ -498,11 +499,9 @@ void function_call(struct pov *p, struct pov_value *v)
 	const struct pov_function *f = p->tok.value.u.item;
 	double arg[FUNCTION_PARAMS], out[FUNCTION_RESULTS] = { 0 };
 	uint32_t wanted = v->count;
-	bool hold = p->hold;
 
 	if (!pov_lack_use(p, &f->lack))
 		return;
-	p->hold = false;
 	pov_next(p);
 	pov_expect(p, TOK_LEFT_PAREN, "after the function's name");
 	for (uint32_t i = 0; i < f->function.params && !pov_failed(p) && pov_nest(p); i++) {
@@ -512,7 +511,6 @@ void function_call(struct pov *p, struct pov_value *v)
 		arg[i] = expr_float(p);
 		pov_unnest(p);
 	}
-	p->hold = hold;
 	pov_expect(p, TOK_RIGHT_PAREN, "after the function's arguments");
 	if (pov_failed(p))
 		return;

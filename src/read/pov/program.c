@@ -117,6 +117,8 @@ struct operand program_two(struct program *g, enum function_code code, struct op
 	struct operand to;
 	uint32_t ra, rb;
 
+	if (code == OP_DIV && !a.constant && b.constant && b.k == 0)
+		pov_fail(g->p, "division by zero");
 	if (a.constant && b.constant) {
 		g->top = base;
 		return program_number(fold(g, code, a.k, b.k));

@@ -6,6 +6,7 @@
  */
 #include <config.h>
 
+#include "read/pov/function.h"
 #include "read/pov/internal.h"
 
 /* Reads the { } of an array's one dimension; at: index of the first element. */
@@ -61,27 +62,19 @@ bool array_read(struct pov *p, struct slot *out)
 	return pov_token(p) != TOK_LEFT_BRACE || read_elements(p, a, 0, 0);
 }
 
-/* Functions and splines can be declared; calling them is what is not supported, and says so. */
-static bool read_opaque(struct pov *p, struct slot *out)
+static bool read_function(struct pov *p, struct slot *out)
 {
-	enum pov_token_kind word = pov_token(p);
-	struct diag_pos *pos = pov_alloc(p, sizeof(*pos));
+	bool spline = pov_token(p) == TOK_SPLINE;
 
-	if (!pos)
-		return false;
-	*pos = pov_pos(p);
 	out->kind = SLOT_ITEM;
-	out->item_kind = word == TOK_FUNCTION ? ITEM_FUNCTION : ITEM_SPLINE;
-	out->u.item = pos;
-	pov_next(p);
-	if (word == TOK_FUNCTION && pov_accept(p, TOK_LEFT_PAREN)) {
-		while (token_raw_name(p) && p->tok.kind != TOK_RIGHT_PAREN && p->tok.kind != TOK_END)
-			p->have = false;
-		pov_expect(p, TOK_RIGHT_PAREN, "after the function's parameters");
+	out->item_kind = spline ? ITEM_SPLINE : ITEM_FUNCTION;
+	if (spline) {
+		out->u.item = spline_read(p);
+	} else {
+		pov_next(p);
+		out->u.item = function_read(p);
 	}
-	if (!p->failed)
-		pov_skip_block(p);
-	return !p->failed;
+	return out->u.item && !p->failed;
 }
 
 static bool read_transform(struct pov *p, struct slot *out)
@@ -183,7 +176,7 @@ bool right_side(struct pov *p, struct slot *out, bool parameter)
 	case TOK_ARRAY:
 		return array_read(p, out);
 	case TOK_FUNCTION: case TOK_SPLINE:
-		return read_opaque(p, out);
+		return read_function(p, out);
 	case TOK_TRANSFORM:
 		return read_transform(p, out);
 	case TOK_NEW_IDENT: case TOK_UNSET: case TOK_END:

@@ -20,8 +20,8 @@ pattern_function solid_boxed, solid_cylindrical, solid_gradient, solid_onion, so
 /* From the middle of a quilt's cube; and how steep it is at that distance. */
 vec solid_quilt_place(vec p);
 double solid_quilt(const struct pattern *, double distance);
-/* surface.c: of the surface's direction, or another pigment. */
-pattern_function surface_aoi, surface_slope, surface_pigment;
+/* surface.c: of the surface's direction, or another pigment, or a function. */
+pattern_function surface_aoi, surface_slope, surface_pigment, surface_function;
 /* image.c */
 pattern_function picture_value, picture_material;
 colour_function picture_colour;

@@ -12,6 +12,7 @@
 
 #include "pattern/pattern.h"
 
+#define FEW 128u
 #define PI 3.14159265358979323846
 
 struct machine {
@@ -168,6 +169,14 @@ static void pigment(const struct machine *m, const struct function *f, const dou
 	out[4] = single(c.transmit);
 }
 
+static double pattern(const struct machine *m, const struct function *f, const double *arg)
+{
+	const struct pattern_point at = { .p = vec_make(arg[0], arg[1], arg[2]), .n = { 0, 0, 1 },
+					  .dir = { 0, 0, -1 } };
+
+	return pattern_value(m->scene, f->is.pattern, &at);
+}
+
 static void evaluate(struct machine *m, const struct function *f, double *reg, double *out)
 {
 	vec p;
@@ -175,7 +184,7 @@ static void evaluate(struct machine *m, const struct function *f, double *reg, d
 	switch (f->kind) {
 	case FUNCTION_PROGRAM: out[0] = run(m, f, reg); return;
 	case FUNCTION_INTERNAL: out[0] = internal_eval(m->scene, f->is.internal, reg); return;
-	case FUNCTION_PATTERN: return;
+	case FUNCTION_PATTERN: out[0] = pattern(m, f, reg); return;
 	case FUNCTION_PIGMENT: pigment(m, f, reg, out); return;
 	case FUNCTION_TRANSFORM:
 		p = mat_point(&f->is.place, vec_make(reg[0], reg[1], reg[2]));
@@ -187,12 +196,26 @@ static void evaluate(struct machine *m, const struct function *f, double *reg, d
 	}
 }
 
-uint64_t function_eval(const struct scene *s, const struct function *f, const double *arg,
-		       double out[FUNCTION_RESULTS])
+/* Few need many registers, and the stack's pages would be strewn about the cache. */
+static uint64_t eval_large(const struct scene *s, const struct function *f, const double *arg, double *out)
 {
 	struct machine m = { .scene = s };
 	double reg[FUNCTION_REGISTERS];
 
+	for (uint32_t i = 0; i < f->params; i++)
+		reg[i] = arg[i];
+	evaluate(&m, f, reg, out);
+	return m.turns;
+}
+
+uint64_t function_eval(const struct scene *s, const struct function *f, const double *arg,
+		       double out[FUNCTION_RESULTS])
+{
+	struct machine m = { .scene = s };
+	double reg[FEW];
+
+	if (f->total > FEW)
+		return eval_large(s, f, arg, out);
 	for (uint32_t i = 0; i < f->params; i++)
 		reg[i] = arg[i];
 	evaluate(&m, f, reg, out);

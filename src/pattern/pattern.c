@@ -26,6 +26,7 @@ static pattern_function *const value_of[PATTERN_KINDS] = {
 	[PATTERN_IMAGE] = picture_value,
 	[PATTERN_LEOPARD] = solid_leopard,
 	[PATTERN_ONION] = solid_onion,
+	[PATTERN_FUNCTION] = surface_function,
 	[PATTERN_PIGMENT] = surface_pigment,
 	[PATTERN_PLANAR] = solid_planar,
 	[PATTERN_QUILTED] = solid_quilted,

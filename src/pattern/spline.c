@@ -66,8 +66,9 @@ static double natural(const struct stretch *x, uint32_t k)
 	const double *bend = x->s->bend + (size_t)x->i * FUNCTION_RESULTS + k;
 	double b0 = bend[0], b1 = bend[FUNCTION_RESULTS];
 
-	return value(x, x->i, k) +
-	       x->t * (slope(x, x->i, k) - width / 6 * (b1 + 2 * b0) + x->t * (b0 / 2 + x->t * (b1 - b0) / (6 * width)));
+	double first = slope(x, x->i, k) - width / 6 * (b1 + 2 * b0);
+
+	return value(x, x->i, k) + x->t * (first + x->t * (b0 / 2 + x->t * (b1 - b0) / (6 * width)));
 }
 
 /* The point at or before t; 0 if there is none. */

@@ -4,6 +4,7 @@
  * Patterns of how a surface lies, in the world's directions, and of another pigment's grey.
  */
 #include "pattern/family.h"
+#include "pattern/function.h"
 
 #define PI 3.14159265358979323846
 #define TINY 1e-10
@@ -46,4 +47,9 @@ double surface_slope(const struct scene *s, const struct pattern *q, const struc
 double surface_pigment(const struct scene *s, const struct pattern *q, const struct pattern_point *at)
 {
 	return rgb_grey(rgbft_rgb(pigment_at(s, q->of.pigment, at)));
+}
+
+double surface_function(const struct scene *s, const struct pattern *q, const struct pattern_point *at)
+{
+	return function_at(s, q->of.function, at->p);
 }

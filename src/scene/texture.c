@@ -148,8 +148,7 @@ void copies_release(struct copies *c)
 	*c = (struct copies){ .book = c->book };
 }
 
-/* A flat copy of what follows, remembered; *new: it was made now. */
-static void *take(struct scene *s, struct copies *c, const void *from, size_t bytes, bool *new)
+void *copies_take(struct scene *s, struct copies *c, const void *from, size_t bytes, bool *new)
 {
 	void *to = copied(c, from);
 
@@ -161,7 +160,6 @@ static void *take(struct scene *s, struct copies *c, const void *from, size_t by
 }
 
 static bool adopt_map(struct scene *, struct copies *, struct map *);
-static bool adopt_pattern(struct scene *, struct copies *, struct pattern **);
 
 /* The rest of a pigment that has been copied as it is. */
 static bool adopt_pigment(struct scene *s, struct copies *c, struct pigment *p)
@@ -170,13 +168,13 @@ static bool adopt_pigment(struct scene *s, struct copies *c, struct pigment *p)
 		p->map = (struct map){ .kind = MAP_NONE };
 		return true;
 	}
-	return adopt_pattern(s, c, &p->pattern) && adopt_map(s, c, &p->map);
+	return scene_adopt_pattern(s, c, &p->pattern) && adopt_map(s, c, &p->map);
 }
 
 struct pigment *scene_adopt_pigment(struct scene *s, struct copies *c, const struct pigment *from)
 {
 	bool new;
-	struct pigment *to = take(s, c, from, sizeof(*to), &new);
+	struct pigment *to = copies_take(s, c, from, sizeof(*to), &new);
 
 	return to && (!new || adopt_pigment(s, c, to)) ? to : NULL;
 }
@@ -187,18 +185,18 @@ static bool adopt_normal(struct scene *s, struct copies *c, struct normal **n)
 
 	if (!*n)
 		return true;
-	*n = take(s, c, *n, sizeof(**n), &new);
-	return *n && (!new || (adopt_pattern(s, c, &(*n)->pattern) && adopt_map(s, c, &(*n)->map)));
+	*n = copies_take(s, c, *n, sizeof(**n), &new);
+	return *n && (!new || (scene_adopt_pattern(s, c, &(*n)->pattern) && adopt_map(s, c, &(*n)->map)));
 }
 
-static bool adopt_pattern(struct scene *s, struct copies *c, struct pattern **p)
+bool scene_adopt_pattern(struct scene *s, struct copies *c, struct pattern **p)
 {
 	struct pattern *q;
 	bool new;
 
 	if (!*p)
 		return true;
-	*p = q = take(s, c, *p, sizeof(**p), &new);
+	*p = q = copies_take(s, c, *p, sizeof(**p), &new);
 	if (!q || !new)
 		return q != NULL;
 	if (q->warp_count) {
@@ -210,6 +208,10 @@ static bool adopt_pattern(struct scene *s, struct copies *c, struct pattern **p)
 		q->of.pigment = scene_adopt_pigment(s, c, q->of.pigment);
 		return q->of.pigment != NULL;
 	}
+	if (q->kind == PATTERN_FUNCTION) {
+		q->of.function = scene_adopt_function(s, c, q->of.function);
+		return q->of.function != NULL;
+	}
 	return true;
 }
 
@@ -218,7 +220,7 @@ bool scene_adopt_texture(struct scene *s, struct copies *c, const struct texture
 	*to = *from;
 	if (to->pattern) {
 		to->layer = NULL;
-		return adopt_pattern(s, c, &to->pattern) && adopt_map(s, c, &to->map);
+		return scene_adopt_pattern(s, c, &to->pattern) && adopt_map(s, c, &to->map);
 	}
 	to->layer = (void *)arena_memdup(&s->arena, from->layer, mem_product(from->count, sizeof(*to->layer)));
 	for (uint32_t i = 0; to->layer && i < to->count; i++) {
@@ -231,7 +233,7 @@ bool scene_adopt_texture(struct scene *s, struct copies *c, const struct texture
 static struct texture *adopt_entry(struct scene *s, struct copies *c, const struct texture *from)
 {
 	bool new;
-	struct texture *to = take(s, c, from, sizeof(*to), &new);
+	struct texture *to = copies_take(s, c, from, sizeof(*to), &new);
 
 	return to && (!new || scene_adopt_texture(s, c, from, to)) ? to : NULL;
 }
@@ -242,7 +244,7 @@ static bool adopt_map(struct scene *s, struct copies *c, struct map *m)
 
 	if (!m->count)
 		return true;
-	m->entry = take(s, c, m->entry, mem_product(m->count, sizeof(*m->entry)), &new);
+	m->entry = copies_take(s, c, m->entry, mem_product(m->count, sizeof(*m->entry)), &new);
 	if (!m->entry || !new)
 		return m->entry != NULL;
 	for (uint32_t i = 0; i < m->count; i++) {

@@ -320,6 +320,10 @@ struct copies {
 };
 bool scene_adopt_texture(struct scene *, struct copies *, const struct texture *from, struct texture *to);
 struct pigment *scene_adopt_pigment(struct scene *, struct copies *, const struct pigment *);
+bool scene_adopt_pattern(struct scene *, struct copies *, struct pattern **);
+struct function *scene_adopt_function(struct scene *, struct copies *, const struct function *);
+/* For those above: a flat copy of what follows, remembered; *new: it was made now. */
+void *copies_take(struct scene *, struct copies *, const void *from, size_t bytes, bool *new);
 void copies_release(struct copies *);
 
 #endif

@@ -25,6 +25,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/fog-turbulence.pov \
 	tests/features/fog.pov \
 	tests/features/fresnel.pov \
+	tests/features/functions.pov \
 	tests/features/gamma22.pov \
 	tests/features/glass-fade.pov \
 	tests/features/glass-nested.pov \
@@ -95,6 +96,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/fog-turbulence.exr \
 	tests/features/fog.exr \
 	tests/features/fresnel.exr \
+	tests/features/functions.exr \
 	tests/features/gamma22.exr \
 	tests/features/glass-fade.exr \
 	tests/features/glass-nested.exr \

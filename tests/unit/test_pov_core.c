@@ -90,8 +90,8 @@ static void write_file(const char *path, const char *text)
 
 static void golden(void **state)
 {
-	static const char *const name[] = { "arrays", "colours", "control", "gamma", "linear", "macros",
-					    "numbers", "rand", "strings", "vectors" };
+	static const char *const name[] = { "arrays", "colours", "control", "functions", "gamma", "linear",
+					    "macros", "numbers", "rand", "splines", "strings", "vectors" };
 	const char *dir = getenv("srcdir");
 	static char want[1 << 16];
 	static struct heard h;
@@ -160,8 +160,26 @@ static void errors(void **state)
 		{ "#declare C = srgb 1;", "t.pov:1:14: error: srgb needs assumed_gamma" },
 		{ "#error \"no good\"", "t.pov:1:1: error: #error: no good" },
 		{ "#include \"nowhere.inc\"", "t.pov:1:10: error: include file \"nowhere.inc\" was not found" },
-		{ "#declare F = function(x) { x*2 }\n#declare A = F(3);", "t.pov:2:14: error: calling a user-defined" },
-		{ "#declare S = spline { 0, <1,2,3> }\n#declare A = S(3);", "t.pov:2:14: error: the value of" },
+		{ "#declare F = function(x) { x*2 }\n#declare A = F();", "t.pov:2:16: error: expected a number" },
+		{ "#declare F = function { sqr(x) }", "t.pov:1:25: error: expected a number, a parameter or" },
+		{ "#declare F = function { F(x) }", "t.pov:1:25: error: the undeclared identifier F is no parameter" },
+		{ "#declare F = function(a) { x }", "t.pov:1:28: error: x is no parameter of this function" },
+		{ "#declare F = function { x / 0 }", "t.pov:1:31: error: division by zero" },
+		{ "#declare F = function { --x }", "t.pov:1:26: error: expected a number" },
+		{ "#declare F = function { sin(x, y) }", "t.pov:1:25: error: sin takes 1 argument, not 2" },
+		{ "#declare F = function { max(x) }", "t.pov:1:25: error: max takes 2 arguments, not 1" },
+		{ "#declare F = function { internal(99) }", "t.pov:1:25: error: there is no internal function 99" },
+		{ "#declare F = function { internal(23) }\n#declare A = F(0, 0, 0, 0);",
+		  "t.pov:1:37: error: the internal function f_heart is not supported" },
+		{ "#declare F = function { pigment { agate } }\n#declare G = function { F(x, y, z) }",
+		  "t.pov:2:36: error: expected . after a function that gives several numbers" },
+		{ "#declare F = function { x }\n#declare G = function { F(x, y) }",
+		  "t.pov:2:25: error: F takes 3 arguments, not 2" },
+		{ "#declare F = function { sum(i, 1, 2) }", "t.pov:1:36: error: expected , before what is added up" },
+		{ "#declare S = spline { cubic_spline }", "t.pov:1:14: error: the spline has no points" },
+		{ "#declare S = spline { 0, <1,2,3> }\n#declare A = S(3, 4);",
+		  "t.pov:2:19: error: expected a kind of spline" },
+		{ "sphere { 0, 1 pigment { function (a) { a } } }", "t.pov:1:34: error: this function takes 1" },
 		{ "#fopen F \"x\" write", "t.pov:1:1: error: #fopen is not supported" },
 		{ "sphere { trace(A, 0, 1), 1 }", "t.pov:1:10: error: the function trace is not supported" },
 		{ "#declare T = transform { matrix <0,0,0, 0,0,0, 0,0,0, 0,0,0> }", "t.pov:1:33: error: this matrix" },
@@ -186,7 +204,7 @@ static void errors(void **state)
 static void harmless(void **state)
 {
 	static const char *const text[] = {
-		"#declare F = function(x, y) { sin(x)^2 * pattern { bozo } }",
+		"#declare F = function(x, y) { sin(x) * y }",
 		"#declare S = spline { cubic_spline 0, <1,2,3> 1, <3,4,5> }",
 		"#declare F = function { pigment { agate } } #declare G = F;",
 		"#macro M() garbage ( { #declare #if (1) \"}\" #end #end",
@@ -219,9 +237,8 @@ static void lenient(void **state)
 	assert_int_equal(read_text("#declare F = function(x) { x }\n#declare A = F(3) + 2;\n"
 				   "#fopen H \"x\" write #write (H, \"a\" 1, <1,2>) #fclose H\n"
 				   "#debug str(A, 0, 0)", &o, &h), STATUS_OK);
-	assert_string_equal(h.debug, "2");
-	assert_string_equal(h.warning, "t.pov:2:14: warning: calling a user-defined function is not "
-				       "supported yet and left out");
+	assert_string_equal(h.debug, "5");
+	assert_string_equal(h.warning, "t.pov:3:1: warning: #fopen is not supported yet and left out");
 }
 
 static char *repeat(const char *head, const char *text, size_t n)

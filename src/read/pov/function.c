@@ -6,6 +6,7 @@
  */
 #include <config.h>
 
+#include "read/pov/pattern.h"
 #include "read/pov/program.h"
 
 #include <math.h>
@@ -425,6 +426,42 @@ static void read_transform(struct program *g)
 	f->is.place = x.fwd;
 }
 
+static void read_pigment(struct program *g)
+{
+	struct function *f = &g->out->function;
+	struct pov_pigment *pigment;
+
+	pigment = pov_read_pigment(g->p, &pov_default_texture(g->p)->layer[0].pigment);
+	if (!pigment)
+		return;
+	f->kind = FUNCTION_PIGMENT;
+	f->results = 5;
+	f->is.pigment = &pigment->pigment;
+	pov_lack_add(&g->out->lack, &pigment->lack);
+	g->out->depth = pigment->depth + 1;
+}
+
+/* pattern { ... }: the value alone, so there is no map. */
+static void read_pattern(struct program *g)
+{
+	struct function *f = &g->out->function;
+	struct pov *p = g->p;
+	struct pattern_draft d;
+
+	if (!pov_open(p))
+		return;
+	pattern_draft_init(&d, IN_PIGMENT, NULL);
+	if (!pattern_word(p, &d) && !pov_failed(p))
+		pov_fail(p, "expected a pattern, found %s", pov_text(p));
+	pattern_modifiers(p, &d);
+	if (!pov_close(p, "pattern"))
+		return;
+	f->kind = FUNCTION_PATTERN;
+	f->is.pattern = pattern_finish(p, &d);
+	pov_lack_add(&g->out->lack, &d.lack);
+	g->out->depth = d.map.depth + 1;
+}
+
 static void read_body(struct program *g)
 {
 	struct pov *p = g->p;
@@ -445,13 +482,11 @@ static void read_body(struct program *g)
 		f->is.spline = spline_read(p);
 		f->results = f->is.spline ? f->is.spline->terms : 0;
 		break;
-	case TOK_PIGMENT: case TOK_PATTERN:
-		pov_lack_note(p, &g->out->lack, "a function of a pigment or pattern", NULL);
-		f->kind = FUNCTION_TRANSFORM;
-		f->is.place = mat_identity;
-		f->results = p->tok.kind == TOK_PIGMENT ? 5 : 1;
-		pov_next(p);
-		pov_skip_block(p);
+	case TOK_PIGMENT:
+		read_pigment(g);
+		break;
+	case TOK_PATTERN:
+		read_pattern(g);
 		break;
 	default:
 		program_finish(g, expression(g, 0));
@@ -485,12 +520,14 @@ struct pov_function *function_read(struct pov *p)
 	return pov_failed(p) ? NULL : g.out;
 }
 
-bool function_of_points(struct pov *p, const struct pov_function *f)
+bool function_of_points(struct pov *p, const struct diag_pos *pos, const struct pov_function *f)
 {
-	if (f->function.params == 3 && f->function.results == 1)
+	uint32_t params = f->function.params, results = f->function.results;
+
+	if (params == 3 && results == 1)
 		return true;
-	pov_fail(p, "the function takes %u arguments and gives %u numbers; here it has to take x, y and z and give one",
-		 f->function.params, f->function.results);
+	pov_fail_at(p, pos, "this function takes %u argument%s and gives %u number%s; here it has to take x, y and z "
+		    "and give one", params, params == 1 ? "" : "s", results, results == 1 ? "" : "s");
 	return false;
 }
 
@@ -506,8 +543,8 @@ void function_call(struct pov *p, struct pov_value *v)
 	pov_expect(p, TOK_LEFT_PAREN, "after the function's name");
 	for (uint32_t i = 0; i < f->function.params && !pov_failed(p) && pov_nest(p); i++) {
 		if (i && !pov_accept(p, TOK_COMMA))
-			pov_fail(p, "expected a comma and argument %u of the %u that the function takes, found %s", i + 1,
-				 f->function.params, pov_text(p));
+			pov_fail(p, "expected a comma and argument %u of the %u that the function takes, found %s",
+				 i + 1, f->function.params, pov_text(p));
 		arg[i] = expr_float(p);
 		pov_unnest(p);
 	}

@@ -12,6 +12,7 @@
 struct pov_function { /* ITEM_FUNCTION */
 	struct function function;
 	struct pov_lack lack; /* of what it is made of, or calls */
+	uint32_t depth; /* of the patterns in it, as in items.h */
 };
 
 /* From behind the word: [(parameters)] { ... }. In the parser's arena; NULL after an error. */
@@ -21,7 +22,7 @@ struct spline *spline_read(struct pov *);
 /* F(...): the identifier is the current token. v: its components; one value fills them all. */
 void function_call(struct pov *, struct pov_value *v);
 void spline_call(struct pov *, struct pov_value *v);
-/* Can it be asked at a point? Reports if it does not take x, y and z. */
-bool function_of_points(struct pov *, const struct pov_function *);
+/* Can it be asked at a point? Reports if it does not take x, y and z. pos: where it begins. */
+bool function_of_points(struct pov *, const struct diag_pos *pos, const struct pov_function *);
 
 #endif

@@ -75,11 +75,11 @@ static bool wave_word(struct pov *p, struct pattern *q)
 		return true;
 	case TOK_FREQUENCY:
 		pov_next(p);
-		q->frequency = pov_finite_float(p, "frequency");
+		q->frequency = (double)(float)pov_finite_float(p, "frequency"); /* as POV-Ray keeps it */
 		return true;
 	case TOK_PHASE:
 		pov_next(p);
-		q->phase = pov_finite_float(p, "phase");
+		q->phase = (double)(float)pov_finite_float(p, "phase");
 		return true;
 	default:
 		return false;
@@ -292,6 +292,16 @@ static bool map_fits(struct pov *p, const struct pattern_draft *d)
 	return !pov_failed(p);
 }
 
+/* The pattern itself may be deeper than its map: a pigment_pattern, a function. */
+static void keep_map(struct pattern_draft *d, const struct pov_map *m)
+{
+	uint32_t depth = d->map.depth;
+
+	d->map = *m;
+	if (d->map.depth < depth)
+		d->map.depth = depth;
+}
+
 static bool map_word(struct pov *p, struct pattern_draft *d)
 {
 	struct pov_map *m;
@@ -310,7 +320,7 @@ static bool map_word(struct pov *p, struct pattern_draft *d)
 		return true;
 	m = pov_read_map(p, d->average);
 	if (m)
-		d->map = *m;
+		keep_map(d, m);
 	return true;
 }
 

@@ -9,6 +9,8 @@
 #include <config.h>
 
 #include "read/pov/pattern.h"
+
+#include "read/pov/function.h"
 #include "read/pov/picture.h"
 
 #include <stdio.h>
@@ -94,6 +96,22 @@ static void read_image_pattern(struct pov *p, struct pattern_draft *d)
 static void read_bump_map(struct pov *p, struct pattern_draft *d)
 {
 	(void)pov_picture_block(p, PICTURE_OF_DATA, &d->pattern.of.image, &d->amount, "bump_map");
+}
+
+/* A function brings the stack of its registers with it, so it counts as several patterns. */
+#define FUNCTION_DEPTH 12
+
+static void read_function(struct pov *p, struct pattern_draft *d)
+{
+	struct diag_pos pos = pov_here(p);
+	struct pov_function *f = function_read(p);
+
+	if (!f || !function_of_points(p, &pos, f))
+		return;
+	d->pattern.of.function = &f->function;
+	pov_lack_add(&d->lack, &f->lack);
+	if (d->map.depth < f->depth + FUNCTION_DEPTH)
+		d->map.depth = f->depth + FUNCTION_DEPTH;
 }
 
 static uint32_t read_iterations(struct pov *p)
@@ -295,7 +313,7 @@ static const struct word {
 	{ TOK_DENSITY_FILE, PATTERN_DENSITY_FILE, ANY, true, NULL },
 	{ TOK_DENTS, PATTERN_DENTS, ANY, false, NULL },
 	{ TOK_FACETS, PATTERN_FACETS, IN_NORMAL, false, NULL },
-	{ TOK_FUNCTION, PATTERN_FUNCTION, ANY, true, NULL },
+	{ TOK_FUNCTION, PATTERN_FUNCTION, ANY, false, read_function },
 	{ TOK_GRADIENT, PATTERN_GRADIENT, ANY, false, read_gradient },
 	{ TOK_GRANITE, PATTERN_GRANITE, ANY, false, NULL },
 	{ TOK_HEXAGON, PATTERN_HEXAGON, ANY, false, read_hexagon },

@@ -13,6 +13,9 @@
 
 #include "pattern/function.h"
 
+/* Each call takes as many registers at least, so that their number bounds the depth of the C stack too. */
+#define CALL_LEAST 4u
+
 static bool room(struct program *g, struct buf *b)
 {
 	if (b->count >= FUNCTION_OPS) {
@@ -162,6 +165,8 @@ struct operand program_call(struct program *g, const struct pov_function *f, uin
 	struct operand to = result(g, base);
 
 	pov_lack_add(&g->out->lack, &f->lack);
+	if (f->depth > g->out->depth)
+		g->out->depth = f->depth;
 	if (f->function.total > g->called)
 		g->called = f->function.total;
 	if (pov_failed(g->p) || !room(g, &g->call))
@@ -188,8 +193,8 @@ bool program_finish(struct program *g, struct operand v)
 	f->kind = FUNCTION_PROGRAM;
 	f->params = g->param_count;
 	f->results = 1;
-	f->registers = g->most;
-	f->total = g->most + g->called;
+	f->registers = g->most < CALL_LEAST ? CALL_LEAST : g->most;
+	f->total = f->registers + g->called;
 	if (f->total > FUNCTION_REGISTERS)
 		pov_fail(g->p, "the function, with what it calls, needs %u registers, of which there are %u", f->total,
 			 FUNCTION_REGISTERS);

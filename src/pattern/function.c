@@ -140,7 +140,7 @@ static double run(struct machine *m, const struct function *f, double *r)
 			r[op->a] += 1;
 			if (r[op->a] <= r[op->b]) {
 				if (!turn(m))
-					return NAN;
+					return (double)NAN;
 				op = f->is.program.op + op->to - 1;
 			}
 			break;
@@ -151,7 +151,7 @@ static double run(struct machine *m, const struct function *f, double *r)
 				r[op->to] = math_two((enum function_code)op->code, r[op->a], r[op->b]);
 		}
 		if (m->endless)
-			return NAN;
+			return (double)NAN;
 	}
 	return r[f->is.program.result];
 }

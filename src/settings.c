@@ -46,8 +46,8 @@ static const struct option_spec alidade_option[] = {
 	  "indirect light of scenes with a radiosity block: exact, as its samples converge, or off; exact is "
 	  "the default",
 	  NULL },
-	{ "indirect-samples", KEY_INDIRECT_SAMPLES, OPTION_ARG, "N", COMPLETE_WORDS, "64 256 1024 4096",
-	  "rays of indirect light a pixel, about; more make less noise; 256 is the default", NULL },
+	{ "indirect-samples", KEY_INDIRECT_SAMPLES, OPTION_ARG, "N", COMPLETE_WORDS, "32 128 512 2048",
+	  "rays of indirect light a pixel, about; more make less noise; 512 is the default", NULL },
 	{ "error-layer", KEY_ERROR_LAYER, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
 	  "estimate the noise of indirect light: a layer Error in an .exr picture, and its mean in --stats",
 	  NULL },

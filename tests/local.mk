@@ -14,4 +14,5 @@ include tests/plugins/local.mk
 include tests/numerics/local.mk
 include tests/blender/local.mk
 include tests/features/local.mk
+include tests/indirect/local.mk
 include tests/bench/local.mk

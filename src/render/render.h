@@ -33,7 +33,7 @@ struct render_options {
 	bool alpha; /* the background is transparent as far as its filter and transmit say */
 	enum indirect_method indirect; /* of scenes with a radiosity block */
 	uint32_t indirect_samples; /* rays gathered a pixel, 0: default */
-	bool error; /* estimate the standard error: a fifth channel, the mean of R, G and B's */
+	bool error; /* estimate standard errors: three more channels */
 	uint64_t seed; /* other random numbers */
 	bool camera_only; /* no shading at all: camera rays and their hits, for counting and timing */
 	/* Called from one thread at a time, after each tile; pixels of the part to render. May be NULL. */

@@ -20,7 +20,7 @@
 #define TILE_MAX 256
 #define AA_MAX 64
 #define AA_DEPTH_MAX 9 /* POV-Ray's own bound */
-#define INDIRECT_SAMPLES 256
+#define INDIRECT_SAMPLES 512
 #define LENS_RAYS 32 /* of a sample, at least */
 #define ERROR_SETS 16 /* replications a pixel that its error is estimated from */
 
@@ -50,20 +50,18 @@ static struct aa_tile tile_at(const struct job *j, uint32_t i)
 				 .height = h < o->tile ? h : o->tile };
 }
 
-/* The standard error of the mean of r, g and b as they are stored; they err alike. The slope of the
- * encoding carries it over. */
-static double pixel_error(const struct aa_pixel *p, double gamma)
+/* The standard errors of r, g and b as they are stored: the slope of the encoding carries them over. */
+static void put_error(float *out, const struct aa_pixel *p, double gamma)
 {
-	double sum = 0;
 	const double c[] = { p->colour.r, p->colour.g, p->colour.b };
 	const double v[] = { p->variance.r, p->variance.g, p->variance.b };
 
 	for (int i = 0; i < 3; i++) {
 		double slope = gamma > 0 && gamma != 1 && c[i] > 0 ? gamma * pow(c[i], gamma - 1) : 1;
 
-		sum += slope * sqrt(fmax(0, v[i])) / 3;
+		/* The root of a variance from n values is too small by about 1 / (4 n - 4). */
+		out[i] = (float)(slope * sqrt(fmax(0, v[i])) * (1 + 0.25 / (ERROR_SETS - 1)));
 	}
-	return sum;
 }
 
 static void put_pixel(struct job *j, uint32_t x, uint32_t y, const struct aa_pixel *p)
@@ -76,7 +74,7 @@ static void put_pixel(struct job *j, uint32_t x, uint32_t y, const struct aa_pix
 	out[2] = (float)tone_linear(p->colour.b, gamma);
 	out[3] = (float)(1 - p->transmit);
 	if (j->image->channels > 4)
-		out[4] = (float)pixel_error(p, gamma);
+		put_error(out + 4, p, gamma);
 }
 
 /* Float has a smaller range than double: what overflows is not finite either. */
@@ -263,9 +261,9 @@ static void fill_defaults(struct render_options *o)
 
 static enum status make_image(struct job *j, struct mem_book *book, struct diag *d)
 {
-	static const char *const name[] = { "R", "G", "B", "A", "Error.Y" };
+	static const char *const name[] = { "R", "G", "B", "A", "Error.R", "Error.G", "Error.B" };
 	const struct render_options *o = &j->whole;
-	uint32_t channels = o->error ? 5 : 4;
+	uint32_t channels = o->error ? 7 : 4;
 	struct image *out = j->image;
 	enum status st = image_init(out, book, o->crop_width, o->crop_height, channels, d);
 
@@ -286,9 +284,11 @@ static double mean_error(const struct image *out)
 
 	if (out->channels < 5)
 		return -1;
-	for (size_t i = 0; i < pixels; i++)
-		sum += (double)out->pixel[i * out->channels + 4];
-	return sum / (double)pixels;
+	for (size_t i = 0; i < pixels; i++) {
+		for (uint32_t k = 4; k < 7; k++)
+			sum += (double)out->pixel[i * out->channels + k];
+	}
+	return sum / (3 * (double)pixels);
 }
 
 enum status render_scene(const struct scene *scene, const struct geometry *geometry,

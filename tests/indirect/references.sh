@@ -1,0 +1,17 @@
+#!/bin/sh
+# SPDX-FileCopyrightText: 2026 The Alidade authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# Render POV-Ray's pictures of these scenes anew: linear, half float, one ray through each pixel's centre, one
+# thread; minutes each. Usage: references.sh [NAME ...]
+set -eu
+cd "$(dirname "$0")"
+[ $# -gt 0 ] || set -- *.pov
+for name; do
+	name=${name%.pov}
+	log=$(povray +I"$name.pov" +O"$name.exr" +FE +W80 +H60 -A -D -J +WT1 -GA 2>&1) || {
+		echo "$log" >&2
+		exit 1
+	}
+	echo "$name.exr"
+done

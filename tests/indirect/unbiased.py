@@ -153,7 +153,7 @@ def check_mean(seen, mean, error):
     ok(np.abs(ours - mean)[~noisy].max(initial=0) < 1e-5, 'pixels without noise are equal')
     z = (ours - mean)[noisy] / spread[noisy]
     within = (np.abs(z) < 1.96).mean()
-    ok(within > 0.92, 'pixels: 95 %% of the means are within their confidence interval',
+    ok(within > 0.92, 'pixels: 95 % of the means are within their confidence interval',
        '%.1f %% of %d values, largest %.2f' % (100 * within, z.size, np.abs(z).max()))
     total = (ours - mean)[noisy].sum() / math.sqrt((spread[noisy] ** 2).sum())
     # Channels share their rays, so three as one have up to sqrt(3) times the spread.

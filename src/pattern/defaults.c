@@ -41,3 +41,12 @@ const struct map *pattern_default_map(enum pattern_kind k)
 {
 	return map_of[k].count ? &map_of[k] : &grey_map;
 }
+
+const struct map *pattern_own_map(const struct pattern *q)
+{
+	/* Of the fractals, only the plain Mandelbrot set has colours. */
+	if (q->kind == PATTERN_FRACTAL &&
+	    (q->of.fractal.julia || q->of.fractal.magnet || q->of.fractal.exponent != 2))
+		return &grey_map;
+	return pattern_default_map(q->kind);
+}

@@ -22,6 +22,8 @@ vec solid_quilt_place(vec p);
 double solid_quilt(const struct pattern *, double distance);
 /* surface.c: of the surface's direction, or another pigment, or a function. */
 pattern_function surface_aoi, surface_slope, surface_pigment, surface_function;
+/* fractal.c: mandel, julia, magnet */
+pattern_function fractal_value;
 /* image.c */
 pattern_function picture_value, picture_material;
 colour_function picture_colour;

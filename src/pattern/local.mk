@@ -3,6 +3,7 @@ src_libalidade_la_SOURCES += \
 	src/pattern/cell_table.h src/pattern/noise_table.h \
 	src/pattern/defaults.c \
 	src/pattern/family.h \
+	src/pattern/fractal.c \
 	src/pattern/function.c src/pattern/function.h \
 	src/pattern/image.c src/pattern/image.h \
 	src/pattern/internal.c \

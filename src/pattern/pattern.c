@@ -24,6 +24,7 @@ static pattern_function *const value_of[PATTERN_KINDS] = {
 	[PATTERN_BOXED] = solid_boxed,
 	[PATTERN_CYLINDRICAL] = solid_cylindrical,
 	[PATTERN_IMAGE] = picture_value,
+	[PATTERN_FRACTAL] = fractal_value,
 	[PATTERN_LEOPARD] = solid_leopard,
 	[PATTERN_ONION] = solid_onion,
 	[PATTERN_FUNCTION] = surface_function,

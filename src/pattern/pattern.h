@@ -46,5 +46,6 @@ bool pattern_known(enum pattern_kind);
 bool pattern_known_slope(enum pattern_kind);
 /* The colours of a pattern for which none were given. */
 const struct map *pattern_default_map(enum pattern_kind);
+const struct map *pattern_own_map(const struct pattern *);
 
 #endif

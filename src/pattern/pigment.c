@@ -49,7 +49,7 @@ struct rgbft pigment_at(const struct scene *s, const struct pigment *pigment,
 	if (q->kind == PATTERN_AVERAGE)
 		return average(s, m, &inner);
 	if (!m->count)
-		m = pattern_default_map(q->kind);
+		m = pattern_own_map(q);
 	map_find(m, pattern_value_warped(s, q, &inner), &a, &b, &t);
 	first = entry_colour(s, m, a, &inner);
 	if (a == b)

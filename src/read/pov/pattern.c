@@ -120,7 +120,7 @@ static uint32_t read_iterations(struct pov *p)
 
 	if (pov_failed(p))
 		return 1;
-	if (!(n >= 0 && n <= 1e9)) {
+	if (!(n >= 0 && n <= 1e7)) {
 		pov_fail(p, "a fractal cannot have %g iterations", n);
 		return 1;
 	}

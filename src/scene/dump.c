@@ -4,48 +4,7 @@
 #include <config.h>
 
 #include "scene/dump.h"
-
-#include <stdlib.h>
-
-/* The shortest of the usual precisions that reads back as the same number. */
-static void put(FILE *to, double x)
-{
-	char text[40];
-
-	for (int digits = 6; digits <= 17; digits++) {
-		snprintf(text, sizeof(text), "%.*g", digits, x);
-		if (strtod(text, NULL) == x)
-			break;
-	}
-	fprintf(to, " %s", text);
-}
-
-static void put_word(FILE *to, const char *word, double x)
-{
-	fprintf(to, " %s", word);
-	put(to, x);
-}
-
-static void put_vec(FILE *to, const char *word, vec v)
-{
-	fprintf(to, " %s <", word);
-	put(to, v.x);
-	put(to, v.y);
-	put(to, v.z);
-	fputs(" >", to);
-}
-
-static void put_rgb(FILE *to, const char *word, struct rgb c)
-{
-	put_vec(to, word, vec_make(c.r, c.g, c.b));
-}
-
-static void put_rgbft(FILE *to, const char *word, struct rgbft c)
-{
-	put_rgb(to, word, rgbft_rgb(c));
-	put_word(to, "filter", c.filter);
-	put_word(to, "transmit", c.transmit);
-}
+#include "scene/put.h"
 
 static void put_index(FILE *to, const char *word, uint32_t i)
 {
@@ -145,38 +104,6 @@ static void dump_light(const struct light *l, uint32_t i, unsigned what, FILE *t
 	end_line(to, what, &l->pos);
 }
 
-static void dump_finish(const struct finish *f, FILE *to)
-{
-	put_rgb(to, "ambient", f->ambient);
-	put_rgb(to, "emission", f->emission);
-	put_word(to, "diffuse", f->diffuse);
-	put_word(to, "diffuse_back", f->diffuse_back);
-	put_word(to, "brilliance", f->brilliance);
-	put_word(to, "phong", f->phong);
-	put_word(to, "phong_size", f->phong_size);
-	put_word(to, "specular", f->specular);
-	put_word(to, "roughness", f->roughness);
-	put_word(to, "metallic", f->metallic);
-	put_rgb(to, "reflection", f->reflection_min);
-	put_rgb(to, "to", f->reflection_max);
-	put_word(to, "falloff", f->reflection_falloff);
-	put_word(to, "exponent", f->reflection_exponent);
-	put_word(to, "reflection_metallic", f->reflection_metallic);
-	fprintf(to, "%s%s\n", f->reflection_fresnel ? " fresnel" : "",
-		f->conserve_energy ? " conserve_energy" : "");
-}
-
-static void dump_texture(const struct texture *t, uint32_t i, FILE *to)
-{
-	fprintf(to, "texture %u layers %u\n", i, t->count);
-	for (uint32_t k = 0; k < t->count; k++) {
-		fputs("  pigment", to);
-		put_rgbft(to, "colour", t->layer[k].pigment.colour);
-		fputs("\n  finish", to);
-		dump_finish(&t->layer[k].finish, to);
-	}
-}
-
 static void dump_interior(const struct interior *in, uint32_t i, FILE *to)
 {
 	fprintf(to, "interior %u", i);
@@ -216,9 +143,13 @@ static void dump_arrays(const struct mesh *m, FILE *to)
 			fprintf(to, " %.6g", (double)m->normal[3 * i + (size_t)k]);
 		putc('\n', to);
 	}
+	for (size_t i = 0; m->uv && i < m->uv_count; i++)
+		fprintf(to, "  uv %zu %.6g %.6g\n", i, (double)m->uv[2 * i], (double)m->uv[2 * i + 1]);
 	dump_indices("triangle", m->index, m->triangle_count, 3, to);
 	if (m->normal_index)
 		dump_indices("normal_index", m->normal_index, m->smooth_count, 3, to);
+	if (m->uv_index)
+		dump_indices("uv_index", m->uv_index, m->triangle_count, 3, to);
 	if (m->texture)
 		dump_indices("texture", m->texture, m->triangle_count, m->textures_per_face, to);
 }
@@ -302,14 +233,12 @@ static void dump_object(const struct object *o, uint32_t i, unsigned what, FILE 
 	put_index(to, "first_child", o->first_child);
 	put_index(to, "next", o->next_sibling);
 	dump_flags(o->flags, to);
-	if (!mat_is_identity(&o->place.fwd)) {
-		fputs(" place <", to);
-		for (int r = 0; r < 4; r++) {
-			for (int c = 0; c < 3; c++)
-				put(to, o->place.fwd.m[r][c]);
-		}
-		fputs(" >", to);
-	}
+	if (!mat_is_identity(&o->place.fwd))
+		put_mat(to, "place", &o->place.fwd);
+	if (o->texture_place)
+		put_mat(to, "texture_place", &o->texture_place->fwd);
+	if (o->interior_texture_place)
+		put_mat(to, "interior_texture_place", &o->interior_texture_place->fwd);
 	end_line(to, what, &o->pos);
 }
 
@@ -347,8 +276,7 @@ void scene_dump(const struct scene *s, unsigned what, FILE *to)
 		dump_fog(&s->fog[i], i, to);
 	for (uint32_t i = 0; i < s->light_count; i++)
 		dump_light(&s->light[i], i, what, to);
-	for (uint32_t i = 0; i < s->texture_count; i++)
-		dump_texture(&s->texture[i], i, to);
+	dump_textures(s, to);
 	for (uint32_t i = 0; i < s->interior_count; i++)
 		dump_interior(&s->interior[i], i, to);
 	for (uint32_t i = 0; i < s->mesh_count; i++)

@@ -1,6 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  */
+#include "scene/hash.h"
 #include "scene/scene.h"
 
 #include <string.h>
@@ -50,6 +51,8 @@ void scene_release(struct scene *s)
 	mem_free(s->fog);
 	mem_free(s->light);
 	mem_free(s->texture);
+	mem_free(s->pattern);
+	mem_free(s->map);
 	mem_free(s->interior);
 	mem_free(s->mesh);
 	mem_free(s->sweep);
@@ -136,6 +139,28 @@ struct picture *scene_add_picture(struct scene *s)
 	return picture;
 }
 
+uint32_t scene_add_pattern(struct scene *s, struct pattern *pattern)
+{
+	void *p = s->pattern;
+	uint32_t i = grow(s, &p, &s->pattern_count, &s->pattern_room, sizeof(*s->pattern));
+
+	s->pattern = p;
+	if (i != SCENE_NONE)
+		s->pattern[i] = pattern;
+	return i;
+}
+
+uint32_t scene_add_map(struct scene *s, const struct map *map)
+{
+	void *p = s->map;
+	uint32_t i = grow(s, &p, &s->map_count, &s->map_room, sizeof(*s->map));
+
+	s->map = p;
+	if (i != SCENE_NONE)
+		s->map[i] = *map;
+	return i;
+}
+
 uint32_t scene_add_mesh(struct scene *s)
 {
 	void *p = s->mesh;
@@ -201,18 +226,7 @@ void scene_add_root(struct scene *s, uint32_t o)
 	s->last_root = o;
 }
 
-/* FNV-1a, 64 bits: stable over machines of one byte order, and nothing here defends against malice. */
-static uint64_t hash_bytes(uint64_t h, const void *p, size_t n)
-{
-	const unsigned char *c = p;
-
-	for (size_t i = 0; i < n; i++)
-		h = (h ^ c[i]) * 1099511628211u;
-	return h;
-}
-
 #define HASH_START 14695981039346656037u
-#define HASH(h, x) hash_bytes(h, &(x), sizeof(x))
 
 static uint64_t hash_words(uint64_t h, const void *p, size_t n)
 {
@@ -295,14 +309,6 @@ static uint64_t hash_light(uint64_t h, const struct light *l)
 	h = HASH(h, l->tightness);
 	h = HASH(h, l->fade_distance);
 	return HASH(h, l->fade_power);
-}
-
-static uint64_t hash_layer(uint64_t h, const struct layer *l)
-{
-	h = HASH(h, l->pigment.colour);
-	h = hash_bytes(h, &l->finish, offsetof(struct finish, reflection_fresnel));
-	h = HASH(h, l->finish.reflection_fresnel);
-	return HASH(h, l->finish.conserve_energy);
 }
 
 static uint64_t hash_blob(uint64_t h, const struct blob *b)
@@ -392,11 +398,7 @@ uint64_t scene_hash(const struct scene *s)
 		h = hash_fog(h, &s->fog[i]);
 	for (uint32_t i = 0; i < s->light_count; i++)
 		h = hash_light(h, &s->light[i]);
-	for (uint32_t i = 0; i < s->texture_count; i++) {
-		h = HASH(h, s->texture[i].count);
-		for (uint32_t j = 0; j < s->texture[i].count; j++)
-			h = hash_layer(h, &s->texture[i].layer[j]);
-	}
+	h = hash_textures(h, s);
 	for (uint32_t i = 0; i < s->interior_count; i++)
 		h = HASH(h, s->interior[i]);
 	return hash_shapes(h, s);

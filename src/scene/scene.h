@@ -242,6 +242,11 @@ struct scene {
 	bool wants_uv; /* some texture is asked at (u, v, 0) */
 	uint32_t texture_count, texture_room;
 	struct texture *texture; /* layers are in the arena */
+	/* What textures are made of, each once, behind what it is made of itself. */
+	uint32_t pattern_count, pattern_room;
+	struct pattern **pattern; /* in the arena */
+	uint32_t map_count, map_room;
+	struct map *map; /* entries are in the arena */
 	uint32_t interior_count, interior_room;
 	struct interior *interior;
 	uint32_t picture_count, picture_room;
@@ -271,7 +276,9 @@ uint32_t scene_add_mesh(struct scene *);
 uint32_t scene_add_sweep(struct scene *, uint32_t points);
 uint32_t scene_add_blob(struct scene *, uint32_t parts);
 uint32_t scene_add_object(struct scene *);
-struct picture *scene_add_picture(struct scene *); /* NULL: no memory */
+struct picture *scene_add_picture(struct scene *);
+uint32_t scene_add_pattern(struct scene *, struct pattern *);
+uint32_t scene_add_map(struct scene *, const struct map *); /* NULL: no memory */
 /* Put object o at the end of the roots. */
 void scene_add_root(struct scene *, uint32_t o);
 

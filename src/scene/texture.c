@@ -206,13 +206,16 @@ bool scene_adopt_pattern(struct scene *s, struct copies *c, struct pattern **p)
 	}
 	if (q->kind == PATTERN_PIGMENT) {
 		q->of.pigment = scene_adopt_pigment(s, c, q->of.pigment);
-		return q->of.pigment != NULL;
+		if (!q->of.pigment)
+			return false;
 	}
 	if (q->kind == PATTERN_FUNCTION) {
 		q->of.function = scene_adopt_function(s, c, q->of.function);
-		return q->of.function != NULL;
+		if (!q->of.function)
+			return false;
 	}
-	return true;
+	q->id = scene_add_pattern(s, q);
+	return q->id != SCENE_NONE;
 }
 
 bool scene_adopt_texture(struct scene *s, struct copies *c, const struct texture *from, struct texture *to)
@@ -238,27 +241,52 @@ static struct texture *adopt_entry(struct scene *s, struct copies *c, const stru
 	return to && (!new || scene_adopt_texture(s, c, from, to)) ? to : NULL;
 }
 
+static bool adopt_item(struct scene *s, struct copies *c, enum map_kind kind, struct map_entry *e)
+{
+	switch (kind) {
+	case MAP_PIGMENT:
+		e->is.pigment = scene_adopt_pigment(s, c, e->is.pigment);
+		return e->is.pigment;
+	case MAP_NORMAL:
+		return adopt_normal(s, c, &e->is.normal);
+	case MAP_TEXTURE:
+		e->is.texture = adopt_entry(s, c, e->is.texture);
+		return e->is.texture;
+	default:
+		return true;
+	}
+}
+
+static bool adopt_entries(struct scene *s, struct copies *c, struct map *m)
+{
+	m->entry = (void *)arena_memdup(&s->arena, m->entry, mem_product(m->count, sizeof(*m->entry)));
+	for (uint32_t i = 0; m->entry && i < m->count; i++) {
+		if (!adopt_item(s, c, m->kind, &m->entry[i]))
+			return false;
+	}
+	return m->entry;
+}
+
+/* Maps are known by their entries. */
 static bool adopt_map(struct scene *s, struct copies *c, struct map *m)
 {
-	bool new = false;
+	const struct map_entry *from = m->entry;
+	const struct map *known;
+	struct map *made;
 
 	if (!m->count)
 		return true;
-	m->entry = copies_take(s, c, m->entry, mem_product(m->count, sizeof(*m->entry)), &new);
-	if (!m->entry || !new)
-		return m->entry != NULL;
-	for (uint32_t i = 0; i < m->count; i++) {
-		struct map_entry *e = &m->entry[i];
-		bool ok = true;
-
-		if (m->kind == MAP_PIGMENT)
-			ok = (e->is.pigment = scene_adopt_pigment(s, c, e->is.pigment)) != NULL;
-		else if (m->kind == MAP_NORMAL)
-			ok = adopt_normal(s, c, &e->is.normal);
-		else if (m->kind == MAP_TEXTURE)
-			ok = (e->is.texture = adopt_entry(s, c, e->is.texture)) != NULL;
-		if (!ok)
-			return false;
+	known = copied(c, from);
+	if (known) {
+		*m = *known;
+		return true;
 	}
-	return true;
+	if (!adopt_entries(s, c, m))
+		return false;
+	m->id = scene_add_map(s, m);
+	if (m->id == SCENE_NONE)
+		return false;
+	s->map[m->id].id = m->id;
+	made = (void *)arena_memdup(&s->arena, m, sizeof(*m));
+	return made && remember(c, from, made);
 }

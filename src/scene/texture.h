@@ -168,6 +168,7 @@ struct picture_place {
 
 struct pattern {
 	enum pattern_kind kind;
+	uint32_t id; /* in the scene's list */
 	uint32_t warp_count;
 	struct warp *warp; /* outermost first: the order in which a point is led through them */
 	enum wave_kind wave;
@@ -241,6 +242,7 @@ struct map_entry {
 
 struct map {
 	enum map_kind kind;
+	uint32_t id; /* in the scene's list */
 	bool wants_uv, clear; /* some entry is asked at (u, v, 0); lets light through */
 	uint32_t count;
 	struct map_entry *entry;

@@ -1,0 +1,26 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * What scene_hash() is made of. FNV-1a, 64 bits: stable over machines of one byte order, and nothing here
+ * defends against malice.
+ */
+#ifndef ALIDADE_SCENE_HASH_H
+#define ALIDADE_SCENE_HASH_H
+
+#include "scene/scene.h"
+
+static inline uint64_t hash_bytes(uint64_t h, const void *p, size_t n)
+{
+	const unsigned char *c = p;
+
+	for (size_t i = 0; i < n; i++)
+		h = (h ^ c[i]) * 1099511628211u;
+	return h;
+}
+
+#define HASH(h, x) hash_bytes(h, &(x), sizeof(x))
+
+/* Textures, and all that they are made of. */
+uint64_t hash_textures(uint64_t h, const struct scene *);
+
+#endif

@@ -485,7 +485,6 @@ static void test_unsupported(void **unused)
 		{ "sphere { 0, 1\n pigment { tiling 3 } }", "2:12: error: tiling in a pigment is" },
 		{ "#declare P = pigment { tiling 1 }\nsphere { 0, 1 pigment { P } }",
 		  "1:24: error: tiling in a" },
-		{ "sphere { 0, 1\n normal { bumps 1 } }", "2:11: error: bumps in a normal is" },
 		{ "sphere { 0, 1\n texture { tiling 1 texture_map { [0 pigment { rgb 1 }] } } }",
 		  "2:12: error: tiling in a" },
 		{ "sky_sphere { pigment { rgb 1 } }", "1:1: error: sky_sphere is" },

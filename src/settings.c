@@ -653,6 +653,7 @@ enum status settings_finish(struct settings *s, const struct read_job *job, stru
 		take_aa(s, job);
 	if (!(s->given & GIVEN_ALPHA) && job->set & READ_JOB_ALPHA)
 		s->alpha = job->alpha;
+	r->alpha = s->alpha;
 	if (!st && !s->output && job->set & READ_JOB_OUTPUT && job->output && *job->output)
 		st = take_output(s, job->output, d);
 	if (!st && !s->output)

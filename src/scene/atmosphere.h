@@ -24,4 +24,14 @@ struct fog {
 	uint32_t octaves;
 };
 
+struct pigment;
+
+/* Around everything, infinitely far away. Its pigments are looked up by a ray's unit direction. */
+struct sky_sphere {
+	uint32_t count;
+	struct pigment **pigment; /* the last one is on top */
+	struct rgb emission;
+	struct xform place;
+};
+
 #endif

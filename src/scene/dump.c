@@ -45,6 +45,21 @@ static void dump_camera(const struct scene *s, unsigned what, FILE *to)
 	end_line(to, what, &c->pos);
 }
 
+static void dump_sky(const struct sky_sphere *sky, FILE *to)
+{
+	fprintf(to, "sky_sphere pigments %u", sky->count);
+	put_rgb(to, "emission", sky->emission);
+	putc('\n', to);
+	for (uint32_t i = 0; i < sky->count; i++) {
+		fputs("  pigment", to);
+		if (sky->pigment[i]->pattern)
+			fputs(" pattern", to);
+		else
+			put_rgbft(to, "colour", sky->pigment[i]->colour);
+		putc('\n', to);
+	}
+}
+
 static void dump_fog(const struct fog *f, uint32_t i, FILE *to)
 {
 	fprintf(to, "fog %u", i);
@@ -272,6 +287,8 @@ void scene_dump(const struct scene *s, unsigned what, FILE *to)
 	if (s->radiosity.given)
 		dump_radiosity(&s->radiosity, to);
 	dump_camera(s, what, to);
+	if (s->sky)
+		dump_sky(s->sky, to);
 	for (uint32_t i = 0; i < s->fog_count; i++)
 		dump_fog(&s->fog[i], i, to);
 	for (uint32_t i = 0; i < s->light_count; i++)

@@ -274,6 +274,16 @@ static uint64_t hash_object(uint64_t h, const struct object *o)
 	return HASH(h, o->shape); /* cleared when made, so its padding is 0 */
 }
 
+static uint64_t hash_sky(uint64_t h, const struct sky_sphere *sky)
+{
+	h = HASH(h, sky->count);
+	h = HASH(h, sky->emission);
+	h = HASH(h, sky->place.fwd);
+	for (uint32_t i = 0; i < sky->count; i++)
+		h = HASH(h, sky->pigment[i]->colour);
+	return h;
+}
+
 static uint64_t hash_fog(uint64_t h, const struct fog *f)
 {
 	h = HASH(h, f->ground);
@@ -394,6 +404,8 @@ uint64_t scene_hash(const struct scene *s)
 	h = HASH(h, s->camera.aperture);
 	h = HASH(h, s->camera.focal_distance);
 	h = HASH(h, s->camera.blur_samples);
+	if (s->sky)
+		h = hash_sky(h, s->sky);
 	for (uint32_t i = 0; i < s->fog_count; i++)
 		h = hash_fog(h, &s->fog[i]);
 	for (uint32_t i = 0; i < s->light_count; i++)

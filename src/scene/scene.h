@@ -235,6 +235,7 @@ struct scene {
 	uint32_t media_count; /* that fill the world, outside of what is not hollow */
 	struct media *media; /* in the arena */
 
+	struct sky_sphere *sky; /* in the arena; NULL: none */
 	uint32_t fog_count, fog_room;
 	struct fog *fog;
 	uint32_t light_count, light_room;

@@ -9,6 +9,7 @@ src_libalidade_la_SOURCES += \
 	src/shade/pov/media.c src/shade/pov/media.h \
 	src/shade/pov/point.h \
 	src/shade/pov/shadow.c src/shade/pov/shadow.h \
+	src/shade/pov/sky.c \
 	src/shade/pov/spawn.c \
 	src/shade/pov/texture.c \
 	src/shade/shade.c src/shade/shade.h \

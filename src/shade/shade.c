@@ -44,23 +44,3 @@ uint32_t shade_camera_inside(const struct shader *sh, struct tree *t, vec org)
 		list = inside_enter(t, list, solid[i].object, solid[i].interior, solid[i].hollow);
 	return list;
 }
-
-void shade_sky(const struct shader *sh, struct node *n)
-{
-	const struct rgbft *b = &sh->scene->background;
-	n->colour = rgbft_rgb(*b);
-	n->transmit = 0;
-	if (n->nowhere) {
-		n->colour = rgb_make(0, 0, 0);
-		n->transmit = sh->alpha ? 1 : 0;
-	}
-	if (n->nowhere || !n->clear_sky)
-		return;
-	if (sh->scene->version < 370) {
-		n->colour = rgb_make(0, 0, 0);
-		n->transmit = 1;
-		return;
-	}
-	n->colour = rgb_scale(n->colour, 1 - b->filter - b->transmit);
-	n->transmit = fmin(1, fabs(rgb_grey(rgbft_through(*b))));
-}

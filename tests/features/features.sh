@@ -24,8 +24,17 @@ soft()
 			--max-rmse=0.004 --max-mean=0.001 "$1.exr" "$tap_dir/$1.exr"
 }
 
+# With the alpha channel, as POV-Ray's +UA; all four channels count.
+alpha()
+{
+	"$ALIDADE" -q --progress=none -s 96x72 --aa none --alpha -o "$tap_dir/$1.exr" "$1.pov" &&
+		"$ALIDADE_BUILD/tools/alidade-diff" --srgb --fail=1/255 --failpercent=0.5 \
+			--warn=1 --warnpercent=100 --max-mean=0.0005 "$1.exr" "$tap_dir/$1.exr"
+}
+
 for scene in *.pov; do
 	case $scene in
+	alpha-*) ok "$scene" alpha "${scene%.pov}" ;;
 	soft-*) ok "$scene" soft "${scene%.pov}" ;;
 	*) ok "$scene" compare "${scene%.pov}" ;;
 	esac

@@ -1,7 +1,13 @@
 TESTS += tests/features/features.sh
 EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
+	tests/features/alpha-background.pov \
+	tests/features/alpha-fog.pov \
+	tests/features/alpha-glass.pov \
+	tests/features/alpha-legacy.pov \
+	tests/features/alpha-sky.pov \
 	tests/features/area-more.pov \
 	tests/features/area.pov \
+	tests/features/background-transmit.pov \
 	tests/features/camera-cylinder1.pov \
 	tests/features/camera-cylinder2.pov \
 	tests/features/camera-cylinder3.pov \
@@ -58,6 +64,9 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/opaque-outside.pov \
 	tests/features/orthographic.pov \
 	tests/features/parallel.pov \
+	tests/features/sky-background.pov \
+	tests/features/sky-legacy.pov \
+	tests/features/sky.pov \
 	tests/features/soft-focus-scaled.pov \
 	tests/features/soft-focus-spherical.pov \
 	tests/features/soft-focus.pov \
@@ -71,8 +80,14 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/uv-object.pov \
 	tests/features/uv.pov \
 	tests/features/union.pov \
+	tests/features/alpha-background.exr \
+	tests/features/alpha-fog.exr \
+	tests/features/alpha-glass.exr \
+	tests/features/alpha-legacy.exr \
+	tests/features/alpha-sky.exr \
 	tests/features/area-more.exr \
 	tests/features/area.exr \
+	tests/features/background-transmit.exr \
 	tests/features/camera-cylinder1.exr \
 	tests/features/camera-cylinder2.exr \
 	tests/features/camera-cylinder3.exr \
@@ -129,6 +144,9 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/opaque-outside.exr \
 	tests/features/orthographic.exr \
 	tests/features/parallel.exr \
+	tests/features/sky-background.exr \
+	tests/features/sky-legacy.exr \
+	tests/features/sky.exr \
 	tests/features/soft-focus-scaled.exr \
 	tests/features/soft-focus-spherical.exr \
 	tests/features/soft-focus.exr \

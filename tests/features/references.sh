@@ -9,7 +9,8 @@ cd "$(dirname "$0")"
 [ $# -gt 0 ] || set -- *.pov
 for name; do
 	name=${name%.pov}
-	log=$(povray +I"$name.pov" +O"$name.exr" +FE +W96 +H72 -A -D -J +WT1 -GA 2>&1) || {
+	case $name in alpha-*) alpha=+UA ;; *) alpha=-UA ;; esac
+	log=$(povray +I"$name.pov" +O"$name.exr" +FE $alpha +W96 +H72 -A -D -J +WT1 -GA 2>&1) || {
 		echo "$log" >&2
 		exit 1
 	}

@@ -1,7 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * What surrounds a scene: background and fog (manual 3.4.3).
+ * What surrounds a scene: background, sky sphere and fog (manual 3.4.3).
  */
 #include <config.h>
 
@@ -17,6 +17,92 @@ void pov_read_background(struct pov *p)
 		c = pov_finite_colour(p, "the background's colour");
 	if (pov_close(p, "background"))
 		pov_scene(p)->background = c;
+}
+
+/* A list that identifiers share is never changed: a new pigment goes to the end of a copy. */
+static void add_pigment(struct pov *p, struct pov_sky *sky)
+{
+	const struct pov_pigment black = { .depth = 0 };
+	struct pov_pigment *pigment = pov_read_pigment(p, &black);
+	struct pov_sky_pigment *list = NULL, **end = &list;
+
+	if (!pigment)
+		return;
+	for (const struct pov_sky_pigment *s = sky->first; s; s = s->next) {
+		*end = pov_copy(p, s, sizeof(*s));
+		if (!*end)
+			return;
+		end = &(*end)->next;
+	}
+	*end = pov_new(p, sizeof(**end));
+	if (!*end)
+		return;
+	(*end)->pigment = *pigment;
+	sky->first = list;
+	sky->count++;
+}
+
+static bool read_sky_word(struct pov *p, struct pov_sky *sky)
+{
+	if (pov_token(p) == TOK_PIGMENT) {
+		add_pigment(p, sky);
+		return true;
+	}
+	if (pov_accept(p, TOK_EMISSION)) {
+		sky->emission = rgbft_rgb(pov_finite_colour(p, "emission"));
+		return true;
+	}
+	return pov_transform(p, &sky->place);
+}
+
+struct pov_sky *pov_read_sky(struct pov *p)
+{
+	struct diag_pos at = pov_here(p);
+	struct pov_sky sky = { .emission = { 1, 1, 1 }, .place = xform_identity }, *named;
+
+	if (!pov_open(p))
+		return NULL;
+	named = pov_take(p, ITEM_SKY_SPHERE);
+	if (named)
+		sky = *named;
+	while (!pov_failed(p) && read_sky_word(p, &sky))
+		;
+	if (!pov_failed(p) && !sky.count)
+		pov_fail_at(p, &at, "sky_sphere needs a pigment");
+	return pov_close(p, "sky_sphere") ? pov_copy(p, &sky, sizeof(sky)) : NULL;
+}
+
+/* The last one of a file is the one that counts. */
+void pov_use_sky(struct pov *p, const struct pov_sky *from)
+{
+	struct copies copies = { .book = pov_book(p) };
+	struct scene *s = pov_scene(p);
+	struct sky_sphere *sky;
+
+	if (!from || pov_failed(p))
+		return;
+	sky = arena_zalloc(&s->arena, sizeof(*sky));
+	if (sky)
+		sky->pigment = arena_zalloc(&s->arena, from->count * sizeof(struct pigment *));
+	for (const struct pov_sky_pigment *f = from->first; sky && sky->pigment && f; f = f->next) {
+		if (!pov_lack_use(p, &f->pigment.lack))
+			break;
+		if (f->pigment.lack.construct)
+			continue;
+		sky->pigment[sky->count] = scene_adopt_pigment(s, &copies, &f->pigment.pigment);
+		if (!sky->pigment[sky->count++])
+			sky->pigment = NULL;
+	}
+	copies_release(&copies);
+	if (pov_failed(p))
+		return;
+	if (!sky || !sky->pigment) {
+		pov_no_memory(p);
+		return;
+	}
+	sky->emission = from->emission;
+	sky->place = from->place;
+	s->sky = sky;
 }
 
 static struct pov_fog default_fog(void)

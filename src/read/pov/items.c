@@ -167,7 +167,6 @@ static const struct known {
 	const char *construct; /* used at the top level */
 } known[] = {
 	{ TOK_RAINBOW, ITEM_RAINBOW, "rainbow" },
-	{ TOK_SKY_SPHERE, ITEM_SKY_SPHERE, "sky_sphere" },
 	{ TOK_MEDIA, ITEM_MEDIA, "media" },
 	{ TOK_DENSITY, ITEM_DENSITY, "density" },
 	{ TOK_DENSITY_MAP, ITEM_DENSITY_MAP, "density_map" },
@@ -260,6 +259,9 @@ static void *read_declared(struct pov *p, enum pov_item_kind *kind)
 	case TOK_MATERIAL:
 		*kind = ITEM_MATERIAL;
 		return pov_read_material(p, &m) ? pov_copy(p, &m, sizeof(m)) : NULL;
+	case TOK_SKY_SPHERE:
+		*kind = ITEM_SKY_SPHERE;
+		return pov_read_sky(p);
 	case TOK_FOG:
 		*kind = ITEM_FOG;
 		return pov_read_fog(p);
@@ -340,11 +342,13 @@ bool pov_top_item(struct pov *p)
 	case TOK_CAMERA:
 		top_camera(p);
 		return true;
+	case TOK_SKY_SPHERE:
+		pov_use_sky(p, pov_read_sky(p));
+		return true;
 	case TOK_FOG:
 		pov_use_fog(p, pov_read_fog(p));
 		return true;
 	case TOK_RAINBOW:
-	case TOK_SKY_SPHERE:
 	case TOK_MEDIA:
 		k = find_known(pov_token(p));
 		top_known(p, k);

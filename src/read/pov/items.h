@@ -116,6 +116,18 @@ struct pov_fog { /* ITEM_FOG */
 	struct fog fog;
 };
 
+struct pov_sky_pigment {
+	struct pov_pigment pigment;
+	struct pov_sky_pigment *next;
+};
+
+struct pov_sky { /* ITEM_SKY_SPHERE */
+	struct pov_sky_pigment *first; /* the lowest */
+	uint32_t count;
+	struct rgb emission;
+	struct xform place;
+};
+
 struct pov_other { /* all other kinds: known by name, not yet rendered */
 	struct pov_lack lack;
 };
@@ -187,8 +199,10 @@ void pov_read_background(struct pov *);
 void pov_read_radiosity(struct pov *); /* the block of global_settings */
 void pov_read_importance(struct pov *); /* radiosity { } of an object or #default */
 struct pov_fog *pov_read_fog(struct pov *);
+struct pov_sky *pov_read_sky(struct pov *);
 /* Put it into the scene; NULL is nothing. */
 void pov_use_fog(struct pov *, const struct pov_fog *);
+void pov_use_sky(struct pov *, const struct pov_sky *);
 
 /* The texture with a transform after it: the same one if it looks alike everywhere. */
 struct pov_texture *pov_texture_transform(struct pov *, struct pov_texture *, const struct xform *);

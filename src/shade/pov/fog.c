@@ -15,7 +15,7 @@
 
 #include "pattern/random.h"
 
-#define WORLD_END 1e7 /* how far POV-Ray follows a ray that hits nothing */
+#define WORLD_END 2e10 /* how far away POV-Ray takes the sky to be: measured */
 #define LEVEL 1e-10 /* of alts: less rise than this is none */
 
 /* The mean density between heights a and b, in alts above the offset. */

@@ -95,7 +95,8 @@ double pattern_value_warped(const struct scene *s, const struct pattern *q, cons
 {
 	double value = value_of[q->kind](s, q, at);
 
-	/* Blocks have a frequency of 0 unless one is given, and then are values like others: measured. A little more than 1, so that a value of exactly 1 stays 1: measured. */
+	/* Blocks have a frequency of 0 unless one is given, and then are values like others: measured. A
+	 * little more than 1, so that a value of exactly 1 stays 1: measured. */
 	if (q->frequency != 0)
 		value = fmod(value * q->frequency + q->phase, 1.00001);
 	if (value < 0)

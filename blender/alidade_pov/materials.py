@@ -1,0 +1,673 @@
+# SPDX-FileCopyrightText: 2026 The Alidade authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Shaders to textures: what a surface does is gathered as lobes, then said in the words of POV-Ray's finish.
+
+A shader is a Leaf (lobes with constant weights) or a Blend of two by a factor that varies, which becomes a texture_map.
+Lobes: diffuse, translucent, glossy, glass, transparent, emission. docs/exporter.md derives the numbers.
+"""
+import math
+
+import numpy as np
+
+from . import text, versions
+from .paints import Paint, Pigment
+from .values import Place, Points, Tree, as_number, origin
+
+SHARPEST = 0.02         # alpha of the narrowest highlight: a lamp's own size is about as wide
+WHITE = np.ones(3)
+
+
+class Lobe:
+    def __init__(self, kind, paint, weight=1.0, roughness=0.0, ior=1.45, f0=None):
+        self.kind, self.paint, self.weight = kind, paint, weight
+        self.roughness, self.ior, self.f0 = roughness, ior, f0
+
+    def times(self, factor):
+        return Lobe(self.kind, self.paint, self.weight * factor, self.roughness, self.ior, self.f0)
+
+
+class Leaf:
+    def __init__(self, lobes):
+        self.lobes = [l for l in lobes if l.weight != 0]
+
+    def times(self, factor):
+        return Leaf([l.times(factor) for l in self.lobes])
+
+
+class Blend:
+    """a where the factor is 0, b where it is 1."""
+
+    def __init__(self, factor, socket, a, b):
+        self.factor, self.socket, self.a, self.b = factor, socket, a, b
+
+    def times(self, factor):
+        return Blend(self.factor, self.socket, self.a.times(factor), self.b.times(factor))
+
+
+def add(a, b):
+    if isinstance(a, Blend):
+        return Blend(a.factor, a.socket, add(a.a, b), add(a.b, b))
+    if isinstance(b, Blend):
+        return Blend(b.factor, b.socket, add(a, b.a), add(a, b.b))
+    return Leaf(a.lobes + b.lobes)
+
+
+class Look:
+    """A material as the meshes' writer needs it."""
+
+    def __init__(self, name):
+        self.name = name                # identifier of the declared texture
+        self.interior = None            # SDL or None
+        self.spaces = set()
+        self.corner = None              # Paint of vertex colours
+        self.corner_text = None         # function: colour text -> texture
+        self.emits = False
+
+    @property
+    def uv(self):
+        return next((s[3:] for s in sorted(self.spaces) if s.startswith('uv:')), None)
+
+    def texture(self, bounds=None):
+        """The texture as an entry of texture_list; Generated coordinates run over the mesh's bounds."""
+        if 'generated' not in self.spaces or bounds is None:
+            return 'texture { %s }' % self.name
+        low, high = bounds
+        size = np.where(high - low < 1e-9, 1.0, high - low)
+        return 'texture { %s scale %s translate %s }' % (self.name, text.vector(size), text.vector(low))
+
+
+def schlick_mean(f0):
+    """Mean reflection over the half space by Schlick's formula: f0 + (1 - f0) / 21."""
+    return f0 + (1.0 - f0) / 21.0
+
+
+def mirror_share(roughness):
+    """How much of a reflection is sharp enough to be said by a mirror; the rest can only be said by diffuse."""
+    t = min(max((roughness - 0.1) / 0.5, 0.0), 1.0)
+    return 1.0 - t * t * (3.0 - 2.0 * t)
+
+
+def highlight(roughness, f0):
+    """specular and roughness of POV-Ray for a GGX lobe, whose alpha is roughness squared.
+
+    A normalised Blinn lobe with the exponent n = 2 / alpha^2 - 2 has the peak f0 (n + 2) / 8 in units of what a white
+    diffuse surface sends back.
+    """
+    alpha = max(roughness * roughness, SHARPEST)
+    exponent = max(2.0 / (alpha * alpha) - 2.0, 1.0)
+    return f0 * (exponent + 2.0) / 8.0, 1.0 / exponent
+
+
+class Materials:
+    """Looks by material, made when first asked for; text gathers their declarations."""
+
+    def __init__(self, painter, losses, version):
+        self.painter, self.losses, self.version = painter, losses, version
+        self.text = []
+        self._looks = {}
+
+    def look(self, material):
+        key = material.name_full if material else None
+        if key not in self._looks:
+            self._looks[key] = self._make(material)
+        return self._looks[key]
+
+    def _make(self, material):
+        look = Look(text.name('T_', material.name_full) if material else 'T')
+        self.where = material.name_full if material else '-'
+        tree = Tree(self.losses, self.where)
+        self.tree = tree
+        if material is None:
+            shader = Leaf([Lobe('diffuse', Paint.constant((0.8, 0.8, 0.8)))])
+        elif not material.use_nodes or material.node_tree is None:
+            shader = self._plain(material)
+        else:
+            shader = self._tree(material)
+        body, interior = self.texture(shader, look)
+        look.interior = interior
+        if look.corner is None:
+            self.text.append('#declare %s = %s\n' % (look.name, body))
+        if 'generated' in look.spaces and look.uv is not None:
+            self.losses.lost(self.where, '-', '-', 'Generated coordinates and UV maps in one material')
+        if len([s for s in look.spaces if s.startswith('uv:')]) > 1:
+            self.losses.lost(self.where, '-', '-', 'several UV maps in one material: a mesh2 has one')
+        return look
+
+    def _plain(self, material):
+        f0 = 0.08 * material.specular_intensity
+        base = Paint.constant(material.diffuse_color[:3])
+        metallic = material.metallic
+        return Leaf([Lobe('diffuse', base, 1 - metallic), Lobe('glossy', base, metallic, material.roughness),
+                     Lobe('glossy', Paint.constant(WHITE), 1 - metallic, material.roughness, f0=f0)])
+
+    def _tree(self, material):
+        tree = material.node_tree
+        outputs = [n for n in tree.nodes if n.bl_idname == 'ShaderNodeOutputMaterial']
+        best = None
+        for target in ('CYCLES', 'ALL', 'EEVEE'):
+            best = best or next((n for n in outputs if n.target == target and n.is_active_output), None) \
+                or next((n for n in outputs if n.target == target), None)
+        if best is None:
+            self.losses.lost(self.where, 'Surface', '-', 'no output node')
+            return Leaf([])
+        for name, why in (('Volume', 'volumes are not written'), ('Displacement', 'displacement by a shader')):
+            socket = best.inputs.get(name)
+            if socket is not None and socket.is_linked:
+                self.losses.lost(self.where, name, best.name, why)
+        return self.shader(Place(best, best.inputs['Surface']))
+
+    # Sockets
+    def constant(self, place, name, default=0.0):
+        """A number that does not vary, or None."""
+        paint = self.paint(place, name, default)
+        value = self.painter.constant(paint, self.where)
+        return None if value is None else float(value[0]) if paint.number else value
+
+    def paint(self, place, name, default=0.0):
+        socket = name if not isinstance(name, (str, int)) else place.node.inputs.get(name)
+        if socket is None:
+            paint = Paint.constant(default)
+            paint.number = True
+            return paint
+        inner = Place(place.node, socket, place.stack)
+        paint = Paint([(WHITE, inner)])
+        paint.number = socket.type == 'VALUE'
+        return paint
+
+    def number(self, place, name, default=0.0, what=None):
+        """A number; where it varies, its mean, which is told."""
+        value = self.constant(place, name, default)
+        if value is None:
+            paint = self.paint(place, name, default)
+            value = float(self.painter.mean(paint, self.where)[0])
+            label = what or (name if isinstance(name, str) else getattr(name, 'name', str(name)))
+            self.losses.lost(self.where, label, place.node.name, 'a texture for this number: its mean stands for it')
+        return value if np.ndim(value) == 0 else float(np.mean(value))
+
+    # Shaders
+    def shader(self, place):
+        source, _ = origin(place)
+        if source is None:
+            return Leaf([])
+        node = source.node
+        method = getattr(self, 'shader_' + node.bl_idname.replace('ShaderNode', ''), None)
+        if method is None:
+            self.losses.lost(self.where, place.socket.name, node.name, 'no such shader in the scene language')
+            return Leaf([Lobe('diffuse', Paint.constant((0.5, 0.5, 0.5)))])
+        self._normal(source)
+        return method(source)
+
+    def _normal(self, place):
+        for name in ('Normal', 'Coat Normal', 'Clearcoat Normal', 'Tangent'):
+            socket = place.node.inputs.get(name)
+            if socket is not None and socket.is_linked:
+                source, _ = origin(Place(place.node, socket, place.stack))
+                if source is not None:
+                    self.losses.lost(self.where, name, source.node.name, 'no normals in a surface\'s own frame')
+
+    def mix(self, factor, socket, a, b):
+        """Two shaders by a factor that may vary."""
+        value = self.painter.constant(factor, self.where)
+        if value is None:
+            return Blend(factor, socket, a, b)
+        value = min(max(float(as_number(value[None, :])[0]), 0.0), 1.0)
+        return add(a.times(1 - value), b.times(value))
+
+    def shader_MixShader(self, p):
+        a, b = (self.shader(Place(p.node, p.node.inputs[i], p.stack)) for i in (1, 2))
+        source, _ = origin(Place(p.node, p.node.inputs[0], p.stack))
+        if source is not None and source.node.bl_idname in ('ShaderNodeFresnel', 'ShaderNodeLayerWeight'):
+            return self._fresnel_mix(source, a, b)
+        return self.mix(self.paint(p, 0) if False else Paint([(WHITE, Place(p.node, p.node.inputs[0], p.stack))]),
+                        'Fac', a, b)
+
+    def _fresnel_mix(self, source, a, b):
+        """Mixed by Fresnel: mirrors take the falloff, everything else its mean."""
+        node = source.node
+        if node.bl_idname == 'ShaderNodeFresnel':
+            ior = self.number(source, 'IOR', 1.45)
+        else:
+            amount = min(max(self.number(source, 'Blend', 0.5), 0.0), 0.999)
+            ior = 1.0 / max(1.0 - amount, 1e-3)
+            if source.socket.name == 'Facing':
+                ior = 1.5
+        f0 = ((ior - 1) / (ior + 1)) ** 2
+        mean = schlick_mean(f0)
+
+        def falloff(shader, share):
+            if isinstance(shader, Blend):
+                return Blend(shader.factor, shader.socket, falloff(shader.a, share), falloff(shader.b, share))
+            return Leaf([Lobe('glossy', l.paint, l.weight, l.roughness, l.ior, f0) if l.kind == 'glossy'
+                         and share == mean and l.f0 is None else l.times(share) for l in shader.lobes])
+        self.losses.nearest(self.where, 'Fac', node.name, 'mirrors take the falloff, other shaders its mean')
+        return add(falloff(a, 1 - mean), falloff(b, mean))
+
+    def shader_AddShader(self, p):
+        return add(*(self.shader(Place(p.node, p.node.inputs[i], p.stack)) for i in (0, 1)))
+
+    def shader_BsdfDiffuse(self, p):
+        return Leaf([Lobe('diffuse', self.paint(p, 'Color'))])
+
+    def shader_SubsurfaceScattering(self, p):
+        self.losses.lost(self.where, 'Radius', p.node.name, 'light that scatters below the surface; drawn as diffuse')
+        return self.shader_BsdfDiffuse(p)
+
+    def shader_BsdfVelvet(self, p):
+        self.losses.lost(self.where, 'Sigma', p.node.name, 'velvet; drawn as diffuse')
+        return self.shader_BsdfDiffuse(p)
+
+    shader_BsdfSheen = shader_BsdfVelvet
+
+    def shader_BsdfToon(self, p):
+        self.losses.lost(self.where, 'Size', p.node.name, 'toon shading; drawn as diffuse')
+        return self.shader_BsdfDiffuse(p)
+
+    def shader_BsdfTranslucent(self, p):
+        return Leaf([Lobe('translucent', self.paint(p, 'Color'))])
+
+    def shader_BsdfTransparent(self, p):
+        return Leaf([Lobe('transparent', self.paint(p, 'Color'))])
+
+    def shader_Holdout(self, p):
+        self.losses.lost(self.where, '-', p.node.name, 'a hole in the picture\'s alpha; drawn black')
+        return Leaf([])
+
+    def shader_BsdfGlossy(self, p):
+        def at(roughness):
+            return Leaf([Lobe('glossy', self.paint(p, 'Color'), 1.0, roughness)])
+        if p.node.distribution == 'SHARP':
+            return at(0.0)
+        return self._rough(p, p.node.inputs['Roughness'], at)
+
+    shader_BsdfAnisotropic = shader_BsdfGlossy
+
+    def shader_BsdfGlass(self, p):
+        roughness = 0.0 if p.node.distribution == 'SHARP' else self.number(p, 'Roughness')
+        return Leaf([self._glass(p, self.paint(p, 'Color'), roughness, self.number(p, 'IOR', 1.45))])
+
+    def shader_BsdfRefraction(self, p):
+        self.losses.nearest(self.where, '-', p.node.name, 'refraction is drawn as glass, with its reflection')
+        return self.shader_BsdfGlass(p)
+
+    def _glass(self, p, paint, roughness, ior, weight=1.0):
+        if roughness > 0.05 and weight:
+            self.losses.lost(self.where, 'Roughness', p.node.name, 'light scattered as it is refracted; drawn clear')
+        return Lobe('glass', paint, weight, roughness, ior)
+
+    def shader_Emission(self, p):
+        return Leaf([Lobe('emission', self.paint(p, 'Color'), self.number(p, 'Strength', 1.0))])
+
+    def shader_Background(self, p):
+        return self.shader_Emission(p)
+
+    def shader_BsdfHair(self, p):
+        self.losses.nearest(self.where, '-', p.node.name, 'hair is drawn as diffuse strands with a highlight')
+        return Leaf([Lobe('diffuse', self.paint(p, 'Color'), 0.7),
+                     Lobe('glossy', Paint.constant(WHITE), 1.0, 0.4, f0=0.05)])
+
+    def shader_BsdfHairPrincipled(self, p):
+        self.losses.nearest(self.where, '-', p.node.name, 'hair is drawn as diffuse strands with a highlight')
+        parametrization = getattr(p.node, 'parametrization', 'COLOR')
+        if parametrization == 'MELANIN':
+            melanin = self.number(p, 'Melanin', 0.8)
+            red = self.number(p, 'Melanin Redness', 1.0)
+            amount = -math.log(max(1.0 - melanin, 1e-4))
+            sigma = amount * ((1 - red) * np.array([0.506, 0.841, 1.653]) + red * np.array([0.343, 0.733, 1.924]))
+            rough = 0.3
+            paint = Paint.constant(np.exp(-np.sqrt(sigma) * (5.969 - 0.215 * rough + 2.532 * rough ** 2) * 0.3))
+        elif parametrization == 'ABSORPTION':
+            socket = p.node.inputs.get('Absorption Coefficient')
+            paint = Paint.constant(np.exp(-np.sqrt(np.maximum(np.array(socket.default_value[:3]), 0)) * 2))
+        else:
+            paint = self.paint(p, 'Color')
+        return Leaf([Lobe('diffuse', paint, 1.0), Lobe('glossy', Paint.constant(WHITE), 1.0, 0.4, f0=0.05)])
+
+    def _rough(self, p, socket, build):
+        """A surface whose roughness may vary: then the lower and upper end of it, blended."""
+        place = Place(p.node, socket, p.stack)
+        paint = Paint([(WHITE, place)])
+        value = self.painter.constant(paint, self.where)
+        if value is not None:
+            return build(min(max(float(value[0]), 0.0), 1.0))
+        low, high = 0.1, 0.7
+        # factor = (roughness - low) / (high - low); the texture_map clamps what lies beyond.
+        factor = Paint([(WHITE / (high - low), place), (-WHITE * low / (high - low), None)])
+        return Blend(factor, socket.name, build(low), build(high))
+
+    def shader_BsdfPrincipled(self, p):
+        node = p.node
+
+        def find(what):
+            return versions.principled(node, what)
+
+        def varying(what):
+            """(constant, None) or (None, paint)."""
+            socket = find(what)
+            if socket is None:
+                return 0.0, None
+            paint = Paint([(WHITE, Place(node, socket, p.stack))])
+            value = self.painter.constant(paint, self.where)
+            return (None, paint) if value is None else (min(max(float(value[0]), 0.0), 1.0), None)
+
+        def number(what, default=0.0):
+            socket = find(what)
+            return default if socket is None else self.number(p, socket, default, socket.name)
+        for what in ('anisotropic', 'sheen', 'thin_film'):
+            socket = find(what)
+            if socket is not None and (socket.is_linked or socket.default_value > 0):
+                self.losses.lost(self.where, socket.name, node.name, 'left out')
+        base = self.paint(p, find('base_color'))
+        base.number = False
+        scatter = number('subsurface')
+        if scatter > 0:
+            self.losses.lost(self.where, find('subsurface').name, node.name,
+                             'light that scatters below the surface; drawn as diffuse')
+            colour = find('subsurface_color')
+            if colour is not None:
+                base = base.times(1 - scatter).plus(self.paint(p, colour).times(scatter))
+        ior = number('ior', 1.45)
+        f0 = min(versions.specular_f0(self.version, node, ior, number('specular', 0.5)), 1.0)
+        coat, coat_rough = number('coat'), number('coat_roughness')
+        coat *= 0.25 if self.version < (4, 0, 0) else 1.0
+
+        def build(metallic, transmission, roughness):
+            opaque = (1 - metallic) * (1 - transmission)
+            lobes = [Lobe('diffuse', base, opaque),
+                     Lobe('glossy', Paint.constant(WHITE), opaque if f0 else 0.0, roughness, f0=f0),
+                     Lobe('glossy', base, metallic, roughness)]
+            through = (1 - metallic) * transmission
+            if through:
+                lobes.append(self._glass(p, base, roughness, ior, through))
+            if coat:
+                lobes.append(Lobe('glossy', Paint.constant(WHITE), coat, coat_rough, f0=0.04))
+            return Leaf(lobes)
+
+        metallic, metal_paint = varying('metallic')
+        transmission, glass_paint = varying('transmission')
+
+        def roughened(m, t):
+            return self._rough(p, find('roughness'), lambda r: build(m, t, r))
+
+        def through(m):
+            if glass_paint is None:
+                return roughened(m, transmission)
+            return Blend(glass_paint, find('transmission').name, roughened(m, 0.0), roughened(m, 1.0))
+        shader = through(metallic) if metal_paint is None else \
+            Blend(metal_paint, find('metallic').name, through(0.0), through(1.0))
+        shader = self._emission(p, find, shader)
+        alpha, alpha_paint = varying('alpha') if find('alpha') is not None else (1.0, None)
+        clear = Leaf([Lobe('transparent', Paint.constant(WHITE))])
+        if alpha_paint is not None:
+            return Blend(alpha_paint, find('alpha').name, clear, shader)
+        return shader if alpha == 1.0 else add(shader.times(alpha), clear.times(1 - alpha))
+
+    def _emission(self, p, find, shader):
+        strength_socket = find('emission_strength')
+        strength = 1.0 if strength_socket is None else self.number(p, strength_socket, 1.0, strength_socket.name)
+        socket = find('emission')
+        if not strength or socket is None:
+            return shader
+        paint = self.paint(p, socket)
+        value = self.painter.constant(paint, self.where)
+        if value is not None and not np.any(value):
+            return shader
+        return add(shader, Leaf([Lobe('emission', paint, strength)]))
+
+    # Textures
+    def texture(self, shader, look):
+        """SDL of a texture, and of the interior that its object needs."""
+        if isinstance(shader, Blend):
+            factor = self.painter.pigment(shader.factor, self.where, shader.socket, data=True)
+            a, inside_a = self.texture(shader.a, look)
+            b, inside_b = self.texture(shader.b, look)
+            if inside_a and inside_b and inside_a != inside_b:
+                self.losses.lost(self.where, shader.socket, '-', 'two indices of refraction in one material')
+            self._space(factor, look)
+            if factor.corner is not None:
+                self.losses.lost(self.where, shader.socket, '-', 'vertex colours as a factor: their mean stands for them')
+            if factor.constant is not None or factor.corner is not None:
+                weight = min(max(float(np.mean(factor.mean)), 0.0), 1.0)
+                return self.texture(add(shader.a.times(1 - weight), shader.b.times(weight)), look) \
+                    if not isinstance(shader.a, Blend) and not isinstance(shader.b, Blend) else (b, inside_b)
+            body = ('texture {\npigment_pattern { %s }\ntexture_map {\n[0 %s]\n[1 %s]\n}\n}'
+                    % (factor.body, _inner(a), _inner(b)))
+            return body, inside_a or inside_b
+        return self._leaf(shader, look)
+
+    @staticmethod
+    def _space(pigment, look):
+        if pigment.space is not None:
+            look.spaces.add(pigment.space)
+
+    def _leaf(self, leaf, look):
+        groups = self._groups(leaf)
+        if len(groups) == 1:
+            return self._single(groups[0], look)
+        # What one pigment cannot say: the mean of several textures, each as much stronger.
+        total = float(len(groups))
+        parts, interior = [], None
+        self.losses.nearest(self.where, '-', '-', 'several colours that vary: a mean of textures')
+        for lobes in groups:
+            body, inside = self._single([l.times(total) for l in lobes], look)
+            interior = interior or inside
+            parts.append('[1 %s]' % _inner(body))
+        return 'texture {\naverage\ntexture_map {\n%s\n}\n}' % '\n'.join(parts), interior
+
+    def _groups(self, leaf):
+        """Lobes that can share one pigment: those that vary in the same way, and those that are constant."""
+        varying, plain = {}, []
+        for lobe in leaf.lobes:
+            if self.painter.constant(lobe.paint, self.where) is None:
+                varying.setdefault(lobe.paint.key(), []).append(lobe)
+            else:
+                plain.append(lobe)
+        if not varying:
+            return [plain]
+        groups = list(varying.values())
+        # Mirrors and highlights have a colour of their own; what else is constant needs its own pigment.
+        own = [l for l in plain if l.kind == 'glossy']
+        rest = [l for l in plain if l.kind != 'glossy']
+        groups[0] = groups[0] + own
+        if rest:
+            groups.append(rest)
+        return groups
+
+    def _single(self, lobes, look):
+        """One texture of lobes that share a pigment."""
+        amount = {}
+        paints = {}
+        for lobe in lobes:
+            paints.setdefault(lobe.kind, Paint([]))
+            paints[lobe.kind] = paints[lobe.kind].plus(lobe.paint.times(lobe.weight))
+            amount[lobe.kind] = amount.get(lobe.kind, 0.0) + lobe.weight
+        glossy = [l for l in lobes if l.kind == 'glossy']
+        values = {kind: self.painter.constant(paint, self.where) for kind, paint in paints.items()}
+        finish = Finish()
+        for lobe in glossy:
+            self._gloss(lobe, finish)
+        varying = [k for k, v in values.items() if v is None and k != 'glossy']
+        if varying or any(l.f0 is None and self.painter.constant(l.paint, self.where) is None for l in glossy):
+            pigment = self._shared(lobes, varying, finish, look)
+        else:
+            pigment = self._constant(values, finish)
+        interior = None
+        glass = [l for l in lobes if l.kind == 'glass']
+        if glass:
+            heaviest = max(glass, key=lambda l: l.weight)
+            interior = 'interior { ior %s }' % text.number(heaviest.ior)
+            finish.glass(amount['glass'])
+            finish.shine(highlight(heaviest.roughness, ((heaviest.ior - 1) / (heaviest.ior + 1)) ** 2),
+                         amount['glass'])
+        body = 'texture {\n%s\n%s\n}' % (pigment, finish.text())
+        return body, interior
+
+    def _gloss(self, lobe, finish):
+        """A mirror, as far as it is sharp; a highlight for the lamps; the rest is diffuse."""
+        share = mirror_share(lobe.roughness)
+        metal = lobe.f0 is None
+        f0 = 1.0 if metal else lobe.f0
+        colour = self.painter.constant(lobe.paint, self.where)
+        if metal:
+            finish.metal(lobe.weight * share, colour)
+            finish.rough_metal.append((lobe.weight * (1 - share), lobe))
+            finish.shine(highlight(lobe.roughness, 1.0 if colour is None else float(max(colour.max(), 1e-6))),
+                         lobe.weight, metallic=True)
+            return
+        finish.mirror(lobe.weight * share * f0, lobe.weight * share)
+        finish.shine(highlight(lobe.roughness, f0), lobe.weight)
+
+    def _constant(self, values, finish):
+        """Everything is constant: one colour for the pigment, the rest relative to it."""
+        diffuse = values.get('diffuse', np.zeros(3)).copy()
+        for weight, lobe in finish.rough_metal:
+            diffuse += weight * self.painter.constant(lobe.paint, self.where)
+        behind = values.get('translucent')
+        clear = values.get('transparent', np.zeros(3)) + values.get('glass', np.zeros(3))
+        emission = values.get('emission')
+        metal = finish.metal_colour
+        through = float(clear.max())
+        colour = diffuse
+        if behind is not None:
+            colour = np.maximum(diffuse, behind)
+        body_filter = transmit = 0.0
+        opaque = 1.0
+        if through > 0:
+            if colour.max() > 0:
+                transmit = min(float(clear.mean()), 1.0)
+                opaque = max(1.0 - transmit, 1e-3)
+                if clear.max() - clear.min() > 0.02:
+                    self.losses.lost(self.where, 'Color', '-', 'colour of the light let through beside a surface of '
+                                     'another colour; its grey stands for it')
+            else:
+                colour, body_filter = clear / through, min(through, 1.0)
+                opaque = 1.0
+        elif colour.max() <= 0 and metal is not None and metal.max() > 0:
+            colour = metal
+        if emission is not None and emission.max() > 0 and colour.max() <= 0:
+            colour = emission / emission.max()
+        if emission is not None:
+            colour = np.where(emission > 0, np.maximum(colour, 2e-3), colour)
+            finish.emission = np.where(emission > 0, emission / np.maximum(colour / opaque, 1e-6), 0.0)
+        scale = colour / opaque if not body_filter else colour
+        if diffuse.max() > 0 or behind is not None:
+            base = np.maximum(np.asarray(colour), 1e-9)
+            finish.diffuse = float((diffuse / base).max()) if behind is not None else 1.0
+            if behind is not None:
+                finish.behind = float((behind / base).max())
+        finish.pigment_colour = scale
+        return 'pigment { rgb%s }' % _rgbft(scale, body_filter, transmit)
+
+    def _shared(self, lobes, varying, finish, look):
+        """One colour that varies, for all lobes of it."""
+        main = next((l for l in lobes if self.painter.constant(l.paint, self.where) is None))
+        pigment = self.painter.pigment(main.paint, self.where, main.kind)
+        self._space(pigment, look)
+        clear = 0.0
+        for lobe in lobes:
+            if lobe.kind == 'glossy':
+                continue
+            if lobe.kind == 'diffuse':
+                finish.diffuse += lobe.weight
+            elif lobe.kind == 'translucent':
+                finish.behind += lobe.weight
+            elif lobe.kind == 'emission':
+                finish.emission = finish.emission + lobe.weight
+            elif lobe.kind in ('glass', 'transparent'):
+                clear += lobe.weight
+        for weight, lobe in finish.rough_metal:
+            finish.diffuse += weight
+        finish.metal_colour = None if finish.metal_weight else finish.metal_colour
+        finish.use_pigment = True
+        if clear:
+            finish.diffuse /= max(1.0 - min(clear, 1.0), 1e-3) if clear < 1 else 1.0
+            body = pigment.body.replace('interpolate 2', 'interpolate 2 filter all %s' % text.number(min(clear, 1.0))) \
+                if 'image_map' in pigment.body else pigment.body
+            if body == pigment.body:
+                self.losses.lost(self.where, 'Color', '-', 'transparent in a colour that varies; drawn opaque')
+                finish.diffuse += clear
+            return 'pigment { %s }' % body
+        if pigment.corner is not None:
+            look.corner = pigment.corner
+            frozen = finish.text()
+            look.corner_text = lambda rgb: 'texture { pigment { rgb %s } %s }' % (rgb, frozen)
+        return 'pigment { %s }' % pigment.body
+
+
+def _inner(texture):
+    """A texture as an entry of texture_map: without its own braces where that is allowed."""
+    return texture[len('texture {'):-1].strip()
+
+
+def _rgbft(rgb, filter_, transmit):
+    if filter_ and transmit:
+        return 'ft <%s>' % ','.join(text.number(v) for v in (*rgb, filter_, transmit))
+    if filter_ or transmit:
+        return ('f' if filter_ else 't') + ' <%s>' % ','.join(text.number(v) for v in (*rgb, filter_ or transmit))
+    return ' ' + text.vector(rgb)
+
+
+class Finish:
+    def __init__(self):
+        self.diffuse = self.behind = 0.0
+        self.emission = np.zeros(3)
+        self.low = self.high = 0.0          # Schlick mirror, facing and grazing
+        self.metal_weight = 0.0
+        self.metal_colour = None
+        self.specular, self.size, self.metallic = 0.0, 0.0, False
+        self.refracts = 0.0
+        self.rough_metal = []
+        self.use_pigment = False
+        self.pigment_colour = None
+
+    def mirror(self, low, high):
+        self.low += low
+        self.high += high
+
+    def metal(self, weight, colour):
+        self.metal_weight += weight
+        if colour is not None:
+            self.metal_colour = weight * colour if self.metal_colour is None else self.metal_colour + weight * colour
+
+    def shine(self, lobe, weight, metallic=False):
+        """Only one highlight: the strongest."""
+        peak, size = lobe
+        if peak * weight > self.specular:
+            self.specular, self.size, self.metallic = peak * weight, size, metallic
+
+    def glass(self, weight):
+        self.refracts = weight
+
+    def text(self):
+        words = ['ambient 0', 'diffuse %s' % text.number(self.diffuse)
+                 + (', %s' % text.number(self.behind) if self.behind else '')]
+        if np.any(self.emission):
+            words.append('emission rgb %s' % text.vector(self.emission))
+        if self.specular > 1e-3:
+            words.append('specular %s roughness %s' % (text.number(_short(self.specular)), text.number(_short(self.size)))
+                         + (' metallic' if self.metallic else ''))
+        words += self._reflection()
+        return 'finish { %s }' % ' '.join(words)
+
+    def _reflection(self):
+        if self.refracts:
+            return ['reflection { 0, %s fresnel on } conserve_energy' % text.number(min(self.refracts, 1.0))]
+        low = np.full(3, self.low)
+        high = np.full(3, self.high)
+        if self.metal_weight:
+            if self.metal_colour is None:
+                # The pigment's colour, by the keyword; what a coat adds is left to it.
+                return ['reflection { %s metallic }' % text.number(_short(self.metal_weight))]
+            low = low + self.metal_colour
+            high = np.maximum(high, self.metal_colour) if self.high == 0 else low + self.high * (1 - low)
+        if high.max() < 5e-3:
+            return []
+        low, high = _short(low), _short(high)
+        if np.allclose(low, high):
+            return ['reflection { rgb %s }' % text.vector(low)]
+        return ['reflection { rgb %s, rgb %s falloff 5 }' % (text.vector(low), text.vector(high))]
+
+
+def _short(value):
+    """Six digits are more than a mapping by eye deserves."""
+    return np.array([float('%.6g' % v) for v in np.ravel(value)]).reshape(np.shape(value)) if np.ndim(value) \
+        else float('%.6g' % value)

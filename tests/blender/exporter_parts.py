@@ -1,0 +1,147 @@
+# SPDX-FileCopyrightText: 2026 The Alidade authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The exporter's parts that need no Blender: numbers as text, pictures, and what differs between versions."""
+import importlib
+import io
+import os
+import struct
+import sys
+import tempfile
+import types
+import zlib
+
+import numpy as np
+
+sys.path.insert(0, sys.argv[1])
+text, pictures, versions, geometry, images = (importlib.import_module('alidade_pov.' + n) for n in (
+    'text', 'pictures', 'versions', 'geometry', 'images'))
+
+
+def check(name, good, why=''):
+    print('ok ' + name if good else 'not ok %s: %s' % (name, why))
+
+
+random = np.random.RandomState(1)
+special = [0, -0.0, 1, -1, 0.1, 0.5, 100, 999999.9, 1e9, 123456789, 1e-30, 9.9999999, 0.99999999, 1e-6, 1e-7, 0.001,
+           3.4e38, 1.2e-38, 1e-45, 16777216, 16777217, 33554431, 0.3333333333]
+values = np.concatenate([random.normal(size=20000), 10.0 ** random.uniform(-30, 30, 20000)
+                         * random.choice([-1, 1], 20000), special]).astype(np.float32)
+texts = [bytes(row).replace(b'\0', b'').decode() for row in text.tokens(values)]
+wrong = [(t, v) for t, v in zip(texts, values) if np.float32(t) != v]
+check('numbers read back as the same 32-bit floats', not wrong, wrong[:3])
+longer = [(t, np.format_float_scientific(v)) for t, v in zip(texts, values)
+          if len(t.replace('.', '').replace('-', '').split('e')[0].strip('0'))
+          > len(np.format_float_scientific(v, trim='-').replace('.', '').replace('-', '').split('e')[0].strip('0'))]
+check('with hardly ever a digit more than needed', len(longer) < len(values) / 200, (len(longer), len(values)))
+check('and as people write them', [text.number(v) for v in (0.5, 100, -0.25, 1e-9, 0)] == ['0.5', '100', '-0.25', '1e-9', '0'])
+out = io.BytesIO()
+text.write_vectors(out, np.array([[1, 2.5, -3], [0, 0.1, 1e10]], np.float32))
+check('vectors', out.getvalue() == b'<1,2.5,-3>,\n<0,0.1,1e10>\n', out.getvalue())
+out = io.BytesIO()
+text.Integers(1234567).write(out, np.array([[0, 10, 1234567], [999, 1000, 1001]]), np.array([[3], [0]]))
+check('indices', out.getvalue() == b'<0,10,1234567>,3,\n<999,1000,1001>,0\n', out.getvalue())
+many = random.randint(0, 70000, (text.CHUNK + 7, 3))
+out = io.BytesIO()
+text.Integers(70000).write(out, many)
+check('more than a chunk', out.getvalue() == b',\n'.join(b'<%d,%d,%d>' % tuple(r) for r in many.tolist()) + b'\n')
+check('names that differ stay different', len({text.name('M_', n) for n in ('a b', 'a_b', 'a.b', 'ä', 'a')}) == 5)
+check('no number becomes zero', text.sane(np.array([np.nan, np.inf, 1e31, 2]))[0].tolist() == [0, 0, 0, 2])
+
+rgb = random.rand(5, 7, 3)
+data = pictures.png(rgb, 8)
+raw = zlib.decompress(data[data.index(b'IDAT') + 4:-12])
+check('PNG', data[:8] == b'\x89PNG\r\n\x1a\n' and struct.unpack('>II', data[16:24]) == (7, 5)
+      and raw[1:22] == np.rint(rgb[0] * 255).astype(np.uint8).tobytes())
+check('a PNG of ours counts as plain', images.plain_png(data) and not images.plain_png(pictures.png(random.rand(2, 2, 4))))
+light = 10.0 ** random.uniform(-3, 3, (4, 64, 3))
+light[1] = 0
+light[2] = 3.5
+coded = pictures.hdr(light)
+body = coded[coded.index(b'+X 64\n') + 6:]
+
+
+def decode(body, width, height):
+    at, rows = 0, []
+    for _ in range(height):
+        assert body[at:at + 4] == bytes((2, 2, 0, width))
+        at += 4
+        channels = []
+        for _ in range(4):
+            row = bytearray()
+            while len(row) < width:
+                n = body[at]
+                if n > 128:
+                    row += bytes([body[at + 1]]) * (n - 128)
+                    at += 2
+                else:
+                    row += body[at + 1:at + 1 + n]
+                    at += 1 + n
+            channels.append(row)
+        rows.append(np.array([list(c) for c in channels]).T)
+    return np.array(rows)
+
+
+rgbe = decode(body, 64, 4).astype(np.float64)
+back = (rgbe[..., :3] + 0.5) * 2.0 ** (rgbe[..., 3:] - 136)
+close = np.abs(back - light).max(axis=2) <= light.max(axis=2) / 200
+check('Radiance pictures', close[light.max(axis=2) > 0].all() and not rgbe[1].any())
+with tempfile.TemporaryDirectory() as folder:
+    store = images.Store(folder, 'p')
+    names = [store.put(b'one', 'a/b', '.png'), store.put(b'two', 'a b', '.png'), store.put(b'one', 'c', '.png')]
+    check('pictures are written once, under names of their own', names[0] == names[2] == 'p/a_b.png'
+          and names[1] == 'p/a_b-2.png' and sorted(os.listdir(os.path.join(folder, 'p'))) == ['a_b-2.png', 'a_b.png'])
+check('JPEG components', images.jpeg_components(b'\xff\xd8\xff\xe0\x00\x04ab\xff\xc0\x00\x11\x08\x00\x10\x00\x10\x03\x01') == 3)
+grid = np.arange(8.0).reshape(2, 4, 1) * np.ones(4)
+check('samples repeat', np.allclose(images.sample(grid, np.array([0.125, 1.125]), np.array([0.25, 0.25]))[:, 0], 0))
+
+# Versions of Blender, with stand-ins.
+Socket = types.SimpleNamespace
+
+
+def node(*names):
+    return Socket(inputs=[Socket(name=n, enabled=True) for n in names])
+
+
+old = node('Base Color', 'Specular', 'Transmission', 'Emission', 'Clearcoat', 'Sheen', 'Subsurface', 'Subsurface Color')
+new = node('Base Color', 'Specular IOR Level', 'Transmission Weight', 'Emission Color', 'Coat Weight', 'Sheen Weight',
+           'Subsurface Weight', 'Emission Strength')
+for what, before, after in (('specular', 'Specular', 'Specular IOR Level'), ('transmission', 'Transmission', 'Transmission Weight'),
+                            ('emission', 'Emission', 'Emission Color'), ('coat', 'Clearcoat', 'Coat Weight'),
+                            ('sheen', 'Sheen', 'Sheen Weight'), ('subsurface', 'Subsurface', 'Subsurface Weight')):
+    check('Principled %s, 3.4 and 4.0' % what, versions.principled(old, what).name == before
+          and versions.principled(new, what).name == after)
+check('a socket that only one has', versions.principled(new, 'subsurface_color') is None
+      and versions.principled(old, 'subsurface_color').name == 'Subsurface Color')
+check('specular level 0.5 is 4 % in 3.4, and in 4.0 with an IOR of 1.5',
+      abs(versions.specular_f0((3, 4, 1), None, 2.0, 0.5) - 0.04) < 1e-9
+      and abs(versions.specular_f0((4, 0, 0), None, 1.5, 0.5) - 0.04) < 1e-9)
+
+
+class Fill:
+    def __init__(self, value):
+        self.value, self.asked = value, []
+
+    def __len__(self):
+        return 2
+
+    def foreach_get(self, name, buffer):
+        self.asked.append(name)
+        buffer[:] = self.value
+
+
+loops, corners = Fill(1), Fill(2)
+mesh34 = Socket(loops=loops, calc_normals_split=lambda: None, free_normals_split=lambda: None)
+mesh41 = Socket(loops=loops, corner_normals=corners)
+check('corner normals of 3.4', versions.corner_normals(mesh34, (3, 4, 1), np.empty).tolist() == [1] * 6
+      and loops.asked == ['normal'])
+check('corner normals of 4.1', versions.corner_normals(mesh41, (4, 1, 0), np.empty).tolist() == [2] * 6
+      and corners.asked == ['vector'])
+check('a spot has its cosine until 4.0', versions.spot_has_cosine((3, 6, 0)) and not versions.spot_has_cosine((4, 0, 0)))
+
+rows, where = geometry.distinct(np.array([[0, 0, 1], [1, 0, 0], [0, 0, 1.0], [0, 0, -1]], np.float32))
+check('each normal once', len(rows) == 3 and np.array_equal(rows[where][:3], [[0, 0, 1], [1, 0, 0], [0, 0, 1]]))
+points, normals, faces = geometry.tubes([[0, 0, 0], [0, 0, 1], [5, 0, 0], [5, 1, 0], [5, 2, 0]], [2, 3], np.full(5, 0.1), 4)
+check('tubes stand round their strand', len(points) == 20 and len(faces) == 3 * 8
+      and np.allclose(np.linalg.norm(points[:4, :2], axis=1), 0.1 * (2 * np.pi / 4) ** 0.5, atol=1e-6)
+      and faces.max() == 19 and not np.any((faces < 8).any(axis=1) & (faces >= 8).any(axis=1)))
+print('done')

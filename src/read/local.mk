@@ -22,6 +22,7 @@ src_libalidade_la_SOURCES += \
 	src/read/pov/light.c \
 	src/read/pov/macro.c \
 	src/read/pov/map.c \
+	src/read/pov/media.c \
 	src/read/pov/mesh.c src/read/pov/mesh.h \
 	src/read/pov/mesh2.c \
 	src/read/pov/modifier.c \

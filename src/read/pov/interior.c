@@ -53,10 +53,7 @@ static bool read_word(struct pov *p, struct pov_interior *in)
 		pov_float(p);
 		return true;
 	case TOK_MEDIA:
-		pov_lack_note(p, &in->media, "media", "remove media { } from the interior");
-		pov_next(p);
-		pov_skip_block(p);
-		return true;
+		return pov_add_media(p, &in->media_count, &in->media);
 	default:
 		return false;
 	}

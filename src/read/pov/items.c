@@ -167,9 +167,6 @@ static const struct known {
 	const char *construct; /* used at the top level */
 } known[] = {
 	{ TOK_RAINBOW, ITEM_RAINBOW, "rainbow" },
-	{ TOK_MEDIA, ITEM_MEDIA, "media" },
-	{ TOK_DENSITY, ITEM_DENSITY, "density" },
-	{ TOK_DENSITY_MAP, ITEM_DENSITY_MAP, "density_map" },
 };
 
 static const struct known *find_known(enum pov_token_kind token)
@@ -230,6 +227,8 @@ static enum pov_item_kind map_item(enum pov_token_kind t)
 		return ITEM_NORMAL_MAP;
 	case TOK_TEXTURE_MAP:
 		return ITEM_TEXTURE_MAP;
+	case TOK_DENSITY_MAP:
+		return ITEM_DENSITY_MAP;
 	default:
 		return ITEM_SLOPE_MAP;
 	}
@@ -256,6 +255,12 @@ static void *read_declared(struct pov *p, enum pov_item_kind *kind)
 	case TOK_INTERIOR:
 		*kind = ITEM_INTERIOR;
 		return pov_read_interior(p, NULL);
+	case TOK_MEDIA:
+		*kind = ITEM_MEDIA;
+		return pov_read_media(p);
+	case TOK_DENSITY:
+		*kind = ITEM_DENSITY;
+		return pov_read_density(p);
 	case TOK_MATERIAL:
 		*kind = ITEM_MATERIAL;
 		return pov_read_material(p, &m) ? pov_copy(p, &m, sizeof(m)) : NULL;
@@ -280,6 +285,7 @@ static void *read_declared(struct pov *p, enum pov_item_kind *kind)
 	case TOK_NORMAL_MAP:
 	case TOK_TEXTURE_MAP:
 	case TOK_SLOPE_MAP:
+	case TOK_DENSITY_MAP:
 		*kind = map_item(pov_token(p));
 		return pov_read_map(p, false);
 	default:
@@ -348,8 +354,10 @@ bool pov_top_item(struct pov *p)
 	case TOK_FOG:
 		pov_use_fog(p, pov_read_fog(p));
 		return true;
-	case TOK_RAINBOW:
 	case TOK_MEDIA:
+		pov_add_media(p, &pov_state(p)->media_count, &pov_state(p)->media);
+		return true;
+	case TOK_RAINBOW:
 		k = find_known(pov_token(p));
 		top_known(p, k);
 		return true;
@@ -446,6 +454,9 @@ void pov_items_end(struct pov *p)
 {
 	struct pov_state *s = pov_state(p);
 
+	if (!pov_failed(p) && s->media_count &&
+	    pov_use_media(p, s->media_count, s->media, &xform_identity, &pov_scene(p)->media))
+		pov_scene(p)->media_count = s->media_count;
 	copies_release(&s->copies);
 	if (!pov_scene(p)->wants_uv)
 		drop_uvs(pov_scene(p));

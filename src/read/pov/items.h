@@ -57,10 +57,16 @@ struct pov_texture { /* ITEM_TEXTURE */
 	uint32_t index; /* memo: the scene's texture, SCENE_NONE until first used */
 };
 
+struct pov_media { /* ITEM_MEDIA */
+	struct media media; /* its densities in the parser's arena, its place not used */
+	struct pov_lack lack;
+};
+
 struct pov_interior { /* ITEM_INTERIOR */
 	struct interior interior;
 	struct pov_lack lack;
-	struct pov_lack media; /* matters only in a hollow object */
+	uint32_t media_count;
+	struct pov_media *media; /* [media_count]; they matter only in a hollow object */
 	uint32_t index; /* memo, as above */
 };
 
@@ -104,6 +110,7 @@ struct pov_object { /* ITEM_OBJECT */
 	struct pov_texture *texture, *interior_texture;
 	struct xform texture_place, interior_texture_place; /* transforms that came after them */
 	struct pov_interior *interior;
+	struct xform interior_place; /* transforms that came after it */
 	bool uv; /* uv_mapping: all its textures are asked at (u, v, 0) */
 	unsigned given; /* enum object_flag: those that were given, on or off */
 	struct pov_lack lack;
@@ -141,6 +148,8 @@ struct pov_state {
 	struct pov_camera *camera; /* the last one used */
 	struct pov_lack photons, object_photons; /* global block; first object that asks for them */
 	struct pov_lack subsurface, finish_subsurface; /* the same */
+	uint32_t media_count;
+	struct pov_media *media; /* that fill the world */
 	bool gamma_given;
 	struct pov_picture *pictures; /* files that were read */
 	struct pov_decode *decodes;
@@ -172,6 +181,7 @@ struct pov_pigment *pov_read_pigment(struct pov *, const struct pov_pigment *bas
 struct pov_normal *pov_read_normal(struct pov *, const struct pov_normal *base);
 /* The inside of the braces. */
 bool pov_pigment_body(struct pov *, struct pov_pigment *);
+bool pov_density_body(struct pov *, struct pov_pigment *); /* set whole */
 bool pov_normal_body(struct pov *, struct pov_normal *);
 struct pov_texture *pov_texture_body(struct pov *);
 /* color_map, pigment_map ...: of the kind that the current token says. weights: an average's. */
@@ -179,6 +189,13 @@ struct pov_map *pov_read_map(struct pov *, bool weights);
 struct pov_finish *pov_read_finish(struct pov *, const struct pov_finish *base);
 struct pov_texture *pov_read_texture(struct pov *);
 struct pov_interior *pov_read_interior(struct pov *, const struct pov_interior *base);
+struct pov_pigment *pov_read_density(struct pov *);
+struct pov_media *pov_read_media(struct pov *);
+/* Read one and append it to an array in the parser's arena. */
+bool pov_add_media(struct pov *, uint32_t *count, struct pov_media **);
+/* Media into the scene's arena, their densities moved by place. False: an error was reported. */
+bool pov_use_media(struct pov *, uint32_t count, const struct pov_media *, const struct xform *place,
+		   struct media **out);
 /* Changes *m. */
 bool pov_read_material(struct pov *, struct pov_material *m);
 struct pov_camera *pov_read_camera(struct pov *);

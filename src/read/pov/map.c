@@ -17,6 +17,7 @@ struct map_draft {
 	struct buf entry; /* of struct map_entry */
 	struct pov_map m;
 	bool weights; /* of an average: may be left out */
+	bool density; /* its pigments are densities */
 };
 
 static bool push(struct pov *p, struct map_draft *d, struct map_entry e)
@@ -82,8 +83,9 @@ static struct pigment *keep_pigment(struct pov *p, struct map_draft *d, const st
 static struct pigment *read_pigment(struct pov *p, struct map_draft *d)
 {
 	struct pov_pigment pigment = pov_default_texture(p)->layer[0].pigment;
+	bool read = d->density ? pov_density_body(p, &pigment) : pov_pigment_body(p, &pigment);
 
-	return pov_pigment_body(p, &pigment) ? keep_pigment(p, d, &pigment) : NULL;
+	return read ? keep_pigment(p, d, &pigment) : NULL;
 }
 
 static struct normal *keep_normal(struct pov *p, struct map_draft *d, const struct pov_normal *from)
@@ -191,6 +193,9 @@ static enum map_kind kind_of(enum pov_token_kind t, enum pov_item_kind *item)
 	case TOK_PIGMENT_MAP:
 		*item = ITEM_PIGMENT_MAP;
 		return MAP_PIGMENT;
+	case TOK_DENSITY_MAP: /* of pigments whose colours are densities */
+		*item = ITEM_DENSITY_MAP;
+		return MAP_PIGMENT;
 	case TOK_NORMAL_MAP:
 		*item = ITEM_NORMAL_MAP;
 		return MAP_NORMAL;
@@ -211,6 +216,7 @@ struct pov_map *pov_read_map(struct pov *p, bool weights)
 	struct pov_map *named;
 
 	d.m.map.kind = kind_of(word, &item);
+	d.density = word == TOK_DENSITY_MAP;
 	if (!pov_open(p))
 		return NULL;
 	named = pov_take(p, item);

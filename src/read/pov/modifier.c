@@ -282,6 +282,7 @@ static bool map_fits(struct pov *p, const struct pattern_draft *d)
 				  d->pattern.kind == PATTERN_BUMP_MAP);
 	unsigned use = t == TOK_COLOUR_MAP  ? IN_PIGMENT | IN_DENSITY :
 		       t == TOK_PIGMENT_MAP ? IN_PIGMENT :
+		       t == TOK_DENSITY_MAP ? IN_DENSITY :
 		       t == TOK_TEXTURE_MAP ? IN_TEXTURE :
 					      IN_NORMAL;
 
@@ -309,6 +310,7 @@ static bool map_word(struct pov *p, struct pattern_draft *d)
 	switch (pov_token(p)) {
 	case TOK_COLOUR_MAP:
 	case TOK_PIGMENT_MAP:
+	case TOK_DENSITY_MAP:
 	case TOK_NORMAL_MAP:
 	case TOK_TEXTURE_MAP:
 	case TOK_SLOPE_MAP:

@@ -19,6 +19,7 @@ struct pov_object *pov_object_new(struct pov *p, enum shape_kind kind, const str
 	o->weight = 1;
 	o->object.kind = kind;
 	o->object.place = o->texture_place = o->interior_texture_place = xform_identity;
+	o->interior_place = xform_identity;
 	o->object.texture = o->object.interior_texture = o->object.interior = SCENE_NONE;
 	o->object.first_child = o->object.next_sibling = SCENE_NONE;
 	o->object.pos = *at;
@@ -318,6 +319,8 @@ static bool read_transform(struct pov *p, struct pov_object *o)
 	o->object.place = xform_mul(&o->object.place, &x);
 	if (o->texture)
 		o->texture_place = xform_mul(&o->texture_place, &x);
+	if (o->interior)
+		o->interior_place = xform_mul(&o->interior_place, &x);
 	if (o->interior_texture)
 		o->interior_texture_place = xform_mul(&o->interior_texture_place, &x);
 	return true;
@@ -357,6 +360,7 @@ static bool read_look(struct pov *p, struct pov_object *o)
 		return pov_texture_part(p, &o->texture);
 	case TOK_INTERIOR:
 		o->interior = pov_read_interior(p, o->interior);
+		o->interior_place = xform_identity;
 		return true;
 	case TOK_MATERIAL:
 		if (!pov_read_material(p, &m))

@@ -20,12 +20,12 @@ static void examine(struct pov *p, struct pov_pigment *out, struct pattern_draft
 	pigment_examine(&out->pigment);
 }
 
-static bool read_pattern(struct pov *p, struct pov_pigment *out)
+static bool read_pattern(struct pov *p, struct pov_pigment *out, enum pattern_use use)
 {
 	const struct pov_pigment before = *out;
 	struct pattern_draft d;
 
-	pattern_draft_init(&d, IN_PIGMENT, out->pigment.pattern);
+	pattern_draft_init(&d, use, out->pigment.pattern);
 	d.map = (struct pov_map){ .map = out->pigment.map, .lack = out->lack, .depth = out->depth };
 	if (pattern_word(p, &d)) {
 		out->pigment.uv = false;
@@ -38,7 +38,7 @@ static bool read_pattern(struct pov *p, struct pov_pigment *out)
 	d.average = d.given && d.pattern.kind == PATTERN_AVERAGE;
 	pattern_modifiers(p, &d);
 	if (d.average && !d.map.map.count && !pov_failed(p))
-		pov_fail(p, "average needs a pigment_map");
+		pov_fail(p, "average needs a %s", use == IN_DENSITY ? "density_map" : "pigment_map");
 	if (out->pigment.uv) /* it ignores what comes after it, as in POV-Ray */
 		*out = before;
 	else
@@ -53,7 +53,7 @@ bool pov_pigment_body(struct pov *p, struct pov_pigment *out)
 	if (named)
 		*out = *named;
 	if (!pov_accept(p, TOK_UV_MAPPING))
-		return read_pattern(p, out);
+		return read_pattern(p, out, IN_PIGMENT);
 	/* All that follows belongs to what is asked at (u, v, 0). */
 	*out = pov_default_texture(p)->layer[0].pigment;
 	if (!pov_nest(p) || !pov_pigment_body(p, out))
@@ -62,6 +62,25 @@ bool pov_pigment_body(struct pov *p, struct pov_pigment *out)
 	out->pigment.uv = out->pigment.pattern != NULL;
 	pigment_examine(&out->pigment);
 	return true;
+}
+
+bool pov_density_body(struct pov *p, struct pov_pigment *out)
+{
+	struct pov_pigment *named = pov_take(p, ITEM_DENSITY);
+
+	*out = (struct pov_pigment){ .pigment = { .colour = { 1, 1, 1, 0, 0 } } };
+	if (named)
+		*out = *named;
+	return read_pattern(p, out, IN_DENSITY);
+}
+
+struct pov_pigment *pov_read_density(struct pov *p)
+{
+	struct pov_pigment density;
+
+	if (!pov_open(p) || !pov_density_body(p, &density))
+		return NULL;
+	return pov_close(p, "density") ? pov_copy(p, &density, sizeof(density)) : NULL;
 }
 
 struct pov_pigment *pov_read_pigment(struct pov *p, const struct pov_pigment *base)

@@ -18,7 +18,7 @@
 /* What an object gets from the unions around it. */
 struct context {
 	struct pov_texture *texture, *interior_texture;
-	struct xform texture_place, interior_texture_place; /* their coordinates to the scene's */
+	struct xform texture_place, interior_texture_place, interior_place; /* their coordinates to the scene's */
 	struct pov_interior *interior;
 	unsigned flags; /* all of the unions', to be added */
 	unsigned hollow, hollow_given;
@@ -68,26 +68,31 @@ static bool use_light(struct pov *p, const struct pov_object *o, const struct ma
 	return true;
 }
 
-static uint32_t use_interior(struct pov *p, struct pov_interior *in, bool hollow)
+/* Each place of an interior with media is one of its own. As in POV-Ray, media fill hollow objects only. */
+static uint32_t use_interior(struct pov *p, struct pov_interior *in, bool hollow, const struct xform *place)
 {
 	struct scene *s = pov_scene(p);
+	uint32_t count = in && hollow ? in->media_count : 0, index;
+	struct interior *made;
 
-	if (!in || pov_failed(p))
+	if (!in || pov_failed(p) || !pov_lack_use(p, &in->lack))
 		return SCENE_NONE;
-	/* As in POV-Ray, media fill hollow objects only. */
-	if (!pov_lack_use(p, &in->lack) || (hollow && !pov_lack_use(p, &in->media)))
-		return SCENE_NONE;
-	if (in->index != SCENE_NONE)
+	if (!count && in->index != SCENE_NONE)
 		return in->index;
-	in->index = scene_add_interior(s);
-	if (in->index == SCENE_NONE) {
+	index = scene_add_interior(s);
+	if (index == SCENE_NONE) {
 		pov_no_memory(p);
 		return SCENE_NONE;
 	}
-	s->interior[in->index] = in->interior;
+	made = &s->interior[index];
+	*made = in->interior;
 	if (fabs(in->interior.fade_distance) < 1e-10)
-		s->interior[in->index].fade_power = 0;
-	return in->index;
+		made->fade_power = 0;
+	if (!count)
+		in->index = index;
+	else if (pov_use_media(p, count, in->media, place, &made->media))
+		made->media_count = count;
+	return index;
 }
 
 /* A texture of an object, which may want it at (u, v, 0). */
@@ -194,7 +199,7 @@ static bool use_look(struct pov *p, struct pov_object *o, const struct context *
 	out->texture_place = use_place(p, out->texture, place);
 	out->interior_texture_place = use_place(p, out->interior_texture, &c->interior_texture_place);
 	out->flags |= c->flags | c->hollow | c->double_illuminate;
-	out->interior = use_interior(p, c->interior, c->hollow);
+	out->interior = use_interior(p, c->interior, c->hollow, &c->interior_place);
 	return !pov_failed(p);
 }
 
@@ -212,8 +217,10 @@ static void enter(struct pov_object *o, const struct context *c, struct context 
 		inner->interior_texture = o->interior_texture;
 		inner->interior_texture_place = xform_mul(&o->interior_texture_place, &c->place);
 	}
-	if (o->interior)
+	if (o->interior) {
 		inner->interior = o->interior;
+		inner->interior_place = xform_mul(&o->interior_place, &c->place);
+	}
 	inner->flags |= own & ~HANDED_DOWN & ~(unsigned)OBJECT_INVERSE;
 	/* hollow: the innermost that says so; double_illuminate: the outermost, as POV-Ray sets it in
 	 * the whole tree when it reads the word. */
@@ -309,6 +316,7 @@ void pov_use_object(struct pov *p, struct pov_object *o)
 	struct context c = { .place = xform_identity,
 			     .texture_place = xform_identity,
 			     .interior_texture_place = xform_identity,
+			     .interior_place = xform_identity,
 			     .solid = SCENE_NONE };
 	uint32_t index;
 

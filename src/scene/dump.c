@@ -119,6 +119,21 @@ static void dump_light(const struct light *l, uint32_t i, unsigned what, FILE *t
 	end_line(to, what, &l->pos);
 }
 
+static void dump_media(uint32_t count, const struct media *media, FILE *to)
+{
+	for (const struct media *m = media; m < media + count; m++) {
+		fputs("  media", to);
+		put_rgb(to, "absorption", m->absorption);
+		put_rgb(to, "emission", m->emission);
+		put_rgb(to, "scattering", m->scattering);
+		fprintf(to, " type %d", (int)m->phase);
+		put_word(to, "extinction", m->extinction);
+		put_word(to, "eccentricity", m->eccentricity);
+		fprintf(to, " method %u intervals %u samples %u %u densities %u\n", m->method, m->intervals,
+			m->samples_min, m->samples_max, m->density_count);
+	}
+}
+
 static void dump_interior(const struct interior *in, uint32_t i, FILE *to)
 {
 	fprintf(to, "interior %u", i);
@@ -128,6 +143,7 @@ static void dump_interior(const struct interior *in, uint32_t i, FILE *to)
 	put_word(to, "fade_power", in->fade_power);
 	put_rgb(to, "fade_colour", in->fade_colour);
 	putc('\n', to);
+	dump_media(in->media_count, in->media, to);
 }
 
 static void dump_indices(const char *word, const uint32_t *v, size_t count, unsigned per, FILE *to)
@@ -296,6 +312,7 @@ void scene_dump(const struct scene *s, unsigned what, FILE *to)
 	dump_textures(s, to);
 	for (uint32_t i = 0; i < s->interior_count; i++)
 		dump_interior(&s->interior[i], i, to);
+	dump_media(s->media_count, s->media, to);
 	for (uint32_t i = 0; i < s->mesh_count; i++)
 		dump_mesh(&s->mesh[i], i, what, to);
 	if (s->first_root != SCENE_NONE)

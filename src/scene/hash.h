@@ -22,5 +22,6 @@ static inline uint64_t hash_bytes(uint64_t h, const void *p, size_t n)
 
 /* Textures, and all that they are made of. */
 uint64_t hash_textures(uint64_t h, const struct scene *);
+uint64_t hash_media(uint64_t h, uint32_t count, const struct media *);
 
 #endif

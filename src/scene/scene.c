@@ -380,6 +380,16 @@ static uint64_t hash_radiosity(uint64_t h, const struct radiosity *r)
 	return HASH(h, r->max_sample);
 }
 
+static uint64_t hash_interior(uint64_t h, const struct interior *in)
+{
+	h = HASH(h, in->ior);
+	h = HASH(h, in->caustics);
+	h = HASH(h, in->fade_distance);
+	h = HASH(h, in->fade_power);
+	h = HASH(h, in->fade_colour);
+	return hash_media(h, in->media_count, in->media);
+}
+
 uint64_t scene_hash(const struct scene *s)
 {
 	uint64_t h = HASH_START;
@@ -394,6 +404,7 @@ uint64_t scene_hash(const struct scene *s)
 	h = HASH(h, s->background);
 	if (s->radiosity.given)
 		h = hash_radiosity(h, &s->radiosity);
+	h = hash_media(h, s->media_count, s->media);
 	h = HASH(h, s->camera.kind);
 	h = HASH(h, s->camera.location);
 	h = HASH(h, s->camera.direction);
@@ -412,6 +423,6 @@ uint64_t scene_hash(const struct scene *s)
 		h = hash_light(h, &s->light[i]);
 	h = hash_textures(h, s);
 	for (uint32_t i = 0; i < s->interior_count; i++)
-		h = HASH(h, s->interior[i]);
+		h = hash_interior(h, &s->interior[i]);
 	return hash_shapes(h, s);
 }

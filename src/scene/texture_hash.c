@@ -215,6 +215,30 @@ static uint64_t hash_places(uint64_t h, const struct scene *s)
 	return h;
 }
 
+uint64_t hash_media(uint64_t h, uint32_t count, const struct media *media)
+{
+	for (const struct media *m = media; m < media + count; m++) {
+		h = HASH(h, m->absorption);
+		h = HASH(h, m->emission);
+		h = HASH(h, m->scattering);
+		h = HASH(h, m->phase);
+		h = HASH(h, m->extinction);
+		h = HASH(h, m->eccentricity);
+		h = HASH(h, m->method);
+		h = HASH(h, m->intervals);
+		h = HASH(h, m->samples_min);
+		h = HASH(h, m->samples_max);
+		h = HASH(h, m->aa_level);
+		h = HASH(h, m->aa_threshold);
+		h = HASH(h, m->jitter);
+		h = HASH(h, m->ratio);
+		for (uint32_t i = 0; i < m->density_count; i++)
+			h = hash_pigment(h, &m->density[i]);
+		h = hash_place(h, m->place);
+	}
+	return h;
+}
+
 uint64_t hash_textures(uint64_t h, const struct scene *s)
 {
 	for (uint32_t i = 0; i < s->pattern_count; i++)

@@ -176,6 +176,10 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/pictures/plain.ppm \
 	tests/features/pictures/plain.tif \
 	tests/features/fogs.inc \
+	tests/features/media-world.exr \
+	tests/features/media-world.pov \
+	tests/features/media.exr \
+	tests/features/media.pov \
 	tests/features/room.inc \
 	tests/features/stage.inc \
 	tests/features/wall.inc

@@ -386,13 +386,18 @@ static void begin_pattern(struct pov *p, struct pattern_draft *d, const struct w
 	d->lack = (struct pov_lack){ .construct = NULL };
 	if (w->opaque || !(d->use == IN_NORMAL ? pattern_known_slope : pattern_known)(w->kind))
 		pov_lack_note(p, &d->lack, lack_name(p, w->token, d->use), NULL);
-	d->given = true;
 	if (again)
 		return; /* its sizes stay, as in POV-Ray */
-	d->pattern = (struct pattern){ .kind = w->kind, .frequency = 1, .exponent = 1 };
-	d->pattern.turbulence.octaves = 6;
-	d->pattern.turbulence.lambda = 2;
-	d->pattern.turbulence.omega = 0.5;
+	/* One pattern after another keeps what modified the first: warps, waves and all. Measured. */
+	if (!d->given) {
+		d->pattern = (struct pattern){ .frequency = 1, .exponent = 1 };
+		d->pattern.turbulence.octaves = 6;
+		d->pattern.turbulence.lambda = 2;
+		d->pattern.turbulence.omega = 0.5;
+	}
+	d->given = true;
+	d->pattern.kind = w->kind;
+	memset(&d->pattern.of, 0, sizeof(d->pattern.of));
 	defaults(&d->pattern);
 }
 

@@ -27,6 +27,7 @@ struct writer {
 	exr_context_t exr;
 	exr_encode_pipeline_t pipe;
 	bool piped; /* pipe is initialised */
+	exr_result_t (*compress)(exr_encode_pipeline_t *); /* OpenEXR's */
 	bool failed; /* the stream */
 	double *row;
 	unsigned char *chunk; /* [channel][line][x], as stored */
@@ -142,6 +143,18 @@ static void point_channels(struct writer *w)
 	}
 }
 
+/* A chunk that compression leaves as long as it was would be taken for one that is not compressed:
+ * OpenEXR 3.1 writes it compressed nevertheless. */
+static exr_result_t compress(exr_encode_pipeline_t *pipe)
+{
+	const struct writer *w = pipe->encoding_user_data;
+	exr_result_t rv = w->compress(pipe);
+
+	if (!rv && pipe->compressed_bytes == pipe->packed_bytes)
+		memcpy(pipe->compressed_buffer, pipe->packed_buffer, pipe->packed_bytes);
+	return rv;
+}
+
 static exr_result_t write_chunk(struct writer *w, uint32_t y)
 {
 	exr_chunk_info_t info;
@@ -155,8 +168,12 @@ static exr_result_t write_chunk(struct writer *w, uint32_t y)
 		return rv;
 	fill_chunk(w, y, (uint32_t)info.height);
 	point_channels(w);
-	if (!w->piped)
+	if (!w->piped) {
 		rv = exr_encoding_choose_default_routines(w->exr, 0, &w->pipe);
+		w->compress = w->pipe.compress_fn;
+		w->pipe.compress_fn = compress;
+		w->pipe.encoding_user_data = w;
+	}
 	w->piped = true;
 	return rv ? rv : exr_encoding_run(w->exr, 0, &w->pipe);
 }

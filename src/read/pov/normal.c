@@ -94,3 +94,57 @@ struct pov_normal *pov_read_normal(struct pov *p, const struct pov_normal *base)
 		return NULL;
 	return pov_close(p, "normal") ? pov_copy(p, &normal, sizeof(normal)) : NULL;
 }
+
+static bool keep_normal(struct pov *p, struct normal **n)
+{
+	struct normal *copy;
+
+	if (!*n)
+		return true;
+	copy = pov_copy(p, *n, sizeof(*copy));
+	if (!copy)
+		return false;
+	copy->no_bump_scale = true; /* and so have those in its map */
+	*n = copy;
+	return true;
+}
+
+static bool keep_map(struct pov *p, struct map *m);
+
+static bool keep_tree(struct pov *p, struct texture **t)
+{
+	struct texture *copy = pov_copy(p, *t, sizeof(*copy));
+
+	if (!copy)
+		return false;
+	*t = copy;
+	if (!copy->count)
+		return keep_map(p, &copy->map);
+	copy->layer = pov_copy(p, copy->layer, copy->count * sizeof(*copy->layer));
+	for (uint32_t i = 0; copy->layer && i < copy->count; i++) {
+		if (!keep_normal(p, &copy->layer[i].normal))
+			return false;
+	}
+	return copy->layer != NULL;
+}
+
+static bool keep_map(struct pov *p, struct map *m)
+{
+	m->entry = pov_copy(p, m->entry, m->count * sizeof(*m->entry));
+	for (uint32_t i = 0; m->entry && i < m->count; i++) {
+		if (!keep_tree(p, &m->entry[i].is.texture))
+			return false;
+	}
+	return m->entry != NULL;
+}
+
+bool pov_texture_keep_bumps(struct pov *p, struct pov_texture *t)
+{
+	if (!t->count)
+		return !t->map.map.count || keep_map(p, &t->map.map);
+	for (uint32_t i = 0; i < t->count; i++) {
+		if (!keep_normal(p, &t->layer[i].normal.normal))
+			return false;
+	}
+	return true;
+}

@@ -228,6 +228,16 @@ static bool transform_words(struct pov *p, struct pov_texture **t)
 	return any;
 }
 
+static bool bump_word(struct pov *p, struct pov_texture **t)
+{
+	if (!pov_accept(p, TOK_NO_BUMP_SCALE))
+		return false;
+	*t = texture_copy(p, *t);
+	if (*t && !pov_texture_keep_bumps(p, *t))
+		*t = NULL;
+	return true;
+}
+
 /* What changes a texture of layers; false: nothing was there. */
 static bool layer_words(struct pov *p, struct pov_texture **t)
 {
@@ -235,7 +245,7 @@ static bool layer_words(struct pov *p, struct pov_texture **t)
 	struct pov_texture *copy;
 
 	while (!pov_failed(p) && *t) {
-		if (transform_words(p, t) || pov_accept(p, TOK_NO_BUMP_SCALE)) {
+		if (transform_words(p, t) || bump_word(p, t)) {
 			changed = true;
 			own = false;
 			continue;
@@ -273,6 +283,7 @@ static struct pov_texture *read_pattern(struct pov *p)
 {
 	struct pov_texture *t = pov_new(p, sizeof(*t));
 	struct pattern_draft d;
+	bool keep = false;
 
 	if (!t)
 		return NULL;
@@ -285,12 +296,18 @@ static struct pov_texture *read_pattern(struct pov *p)
 		return NULL;
 	d.average = d.pattern.kind == PATTERN_AVERAGE;
 	pattern_modifiers(p, &d);
+	while (pov_accept(p, TOK_NO_BUMP_SCALE)) {
+		keep = true;
+		pattern_modifiers(p, &d);
+	}
 	if (!d.map.map.count && !d.lack.construct && !pov_failed(p))
 		pov_fail(p, "a texture with a pattern needs a texture_map");
 	t->index = SCENE_NONE;
 	t->map = d.map;
 	t->pattern = pattern_finish(p, &d);
 	t->lack = d.lack;
+	if (keep && t->pattern && !pov_texture_keep_bumps(p, t))
+		return NULL;
 	return t->pattern ? t : NULL;
 }
 
@@ -318,7 +335,7 @@ struct pov_texture *pov_texture_body(struct pov *p)
 	if (pov_token(p) == TOK_RIGHT_BRACE || pov_token(p) == TOK_RIGHT_SQUARE)
 		return t;
 	if (!t->count || t->uv) {
-		while (transform_words(p, &t) || pov_accept(p, TOK_NO_BUMP_SCALE))
+		while (t && (transform_words(p, &t) || bump_word(p, &t)))
 			;
 		return pov_failed(p) ? NULL : t;
 	}

@@ -53,6 +53,18 @@ int view_intersect(const ald_prims *, uint32_t id, ald_query *, const ald_ray *,
 void view_intersect_n(const ald_prims *, uint32_t id, ald_query *, const ald_ray *, ald_hit *,
 		      const uint8_t *live, uint32_t n);
 
+/* Constructive solid geometry, in csg.c. Does the crossing at t of the node's leaf show? */
+bool csg_shows(const struct view *, struct worker *, uint32_t node, const ald_ray *, double t);
+/* Is p, in level coordinates, in this leaf, and does the leaf count there? */
+bool csg_holds(const struct geometry *, uint32_t leaf, vec p);
+int csg_intersect_shape(const struct view *, struct worker *, const struct prim *, uint32_t id,
+			const ald_ray *, ald_hit *);
+int csg_intersect_piece(const struct view *, struct worker *, const struct prim *,
+			const struct prim_piece *, uint32_t id, const ald_ray *, ald_hit *);
+/* Does the leaf's mesh, which has an inside_vector, hold p of level 0? The worker's accelerator finds the
+ * faces ahead; NULL: all are looked at. */
+bool mesh_holds(const struct geometry *, struct worker *, const struct prim_leaf *, vec p);
+
 /* The plugin's functions, with what is said in accel.h where it offers none. */
 void accel_nearest_n(const ald_accel_plugin *, const ald_accel *, ald_query *, const ald_ray *, ald_hit *,
 		     uint32_t n, uint32_t hints);

@@ -79,7 +79,13 @@ static int intersect_instance(const struct view *v, uint32_t id, ald_query *q, c
 	ald_hit found;
 
 	inner_ray(p, id, r, hit, &in, &found);
-	g->plugin->intersect(g->view[p->level].accel, &w->query[p->level].q, &in, &found);
+	for (;;) {
+		g->plugin->intersect(g->view[p->level].accel, &w->query[p->level].q, &in, &found);
+		if (found.prim == ALD_NONE || p->node == SCENE_NONE || csg_shows(v, w, p->node, r, found.t))
+			break;
+		trace_after(&in, &found);
+		found = (ald_hit){ .t = in.tmax, .prim = ALD_NONE };
+	}
 	return take_inner(id, &found, hit);
 }
 
@@ -99,8 +105,13 @@ int view_intersect(const ald_prims *prims, uint32_t id, ald_query *q, const ald_
 		return intersect_instance(v, id, q, r, hit);
 	case PRIM_PIECE:
 		piece = &l->piece[i];
+		if (l->body[piece->body].node != SCENE_NONE)
+			return csg_intersect_piece(v, ((struct query *)q)->worker, &l->body[piece->body],
+						   piece, id, r, hit);
 		return piece_intersect(&l->body[piece->body], piece, id, r, hit);
 	case PRIM_SHAPE:
+		if (l->prim[i].node != SCENE_NONE)
+			return csg_intersect_shape(v, ((struct query *)q)->worker, &l->prim[i], id, r, hit);
 		return prim_intersect(&l->prim[i], id, r, hit);
 	case PRIM_TRIANGLE:
 		break;
@@ -139,7 +150,7 @@ void view_intersect_n(const ald_prims *prims, uint32_t id, ald_query *q, const a
 	const struct view *v = (const struct view *)prims;
 	uint32_t kind = id;
 
-	if (prim_level_id(v->level, &kind) == PRIM_INSTANCE) {
+	if (prim_level_id(v->level, &kind) == PRIM_INSTANCE && v->level->instance[kind].node == SCENE_NONE) {
 		intersect_instance_n(v, id, q, r, hit, live, n);
 		return;
 	}

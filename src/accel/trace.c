@@ -50,6 +50,8 @@ static uint32_t nearest_plane(const struct geometry *g, struct worker *w, ald_ra
 			w->count[ALD_COUNT_PRIMS]++;
 		if (!plane_intersect(&u->plane, r, &t) || !ald_counts(r, t, id, &h))
 			continue;
+		if (u->node != SCENE_NONE && !csg_shows(&g->view[0], w, u->node, r, t))
+			continue;
 		h.t = t;
 		h.prim = best = id;
 	}

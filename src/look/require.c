@@ -47,8 +47,13 @@ static void look_at_shapes(const struct scene *s, struct features *f)
 
 static void print_objects(const struct scene *s, const struct features *f, FILE *out)
 {
-	static const char *const name[SHAPE_KINDS] = { "mesh", "sphere", "box", "cone or cylinder", "plane",
-						       "disc", "torus", "union" };
+	static const char *const name[SHAPE_KINDS] = {
+		[SHAPE_MESH] = "mesh", [SHAPE_SPHERE] = "sphere", [SHAPE_BOX] = "box",
+		[SHAPE_CONE] = "cone or cylinder", [SHAPE_PLANE] = "plane", [SHAPE_DISC] = "disc",
+		[SHAPE_TORUS] = "torus", [SHAPE_SWEEP] = "sphere_sweep", [SHAPE_BLOB] = "blob",
+		[SHAPE_UNION] = "union", [SHAPE_MERGE] = "merge",
+		[SHAPE_INTERSECTION] = "intersection",
+	};
 
 	for (int k = 0; k < SHAPE_KINDS; k++) {
 		if (f->kinds[k])

@@ -21,7 +21,7 @@ bool body_make(struct prim *p, const struct object *o, const struct xform *place
 	const struct body_data *head = data;
 	struct mat m = mat_identity;
 
-	*p = (struct prim){ .kind = o->kind, .data = data };
+	*p = (struct prim){ .kind = o->kind, .data = data, .node = SCENE_NONE };
 	m.m[0][0] = m.m[1][1] = m.m[2][2] = head->size;
 	m.m[3][0] = head->centre.x;
 	m.m[3][1] = head->centre.y;

@@ -22,6 +22,9 @@ struct walk { /* what a union hands down */
 	struct xform place;
 	uint32_t texture, interior_texture, interior;
 	unsigned flags;
+	uint32_t node; /* of constructive solid geometry, that what is below hangs on; or SCENE_NONE */
+	uint32_t solid; /* the outermost object of it */
+	bool cut;
 };
 
 static struct walk inherit(const struct walk *up, const struct object *o)
@@ -47,13 +50,25 @@ struct frame {
 	struct walk walk;
 };
 
+static bool push(struct prim_set *s, struct buf *stack, uint32_t first, const struct walk *w)
+{
+	if (!buf_reserve(stack, s->book, "geometry", 1))
+		return false;
+	*BUF_AT(stack, struct frame, stack->count) = (struct frame){ first, *w };
+	stack->count++;
+	return true;
+}
+
 static void add_leaf(struct prim_set *s, uint32_t object, const struct walk *w)
 {
 	const struct object *o = &s->scene->object[object];
+	uint32_t solid = w->node != SCENE_NONE && w->interior == SCENE_NONE ? w->solid : object;
 
+	if (w->node != SCENE_NONE)
+		csg_at(&s->csg, w->node)->leaf = s->leaf_count;
 	s->leaf[s->leaf_count++] = (struct prim_leaf){
 		.object = object,
-		.solid = o->solid == SCENE_NONE ? object : o->solid,
+		.solid = o->solid == SCENE_NONE ? solid : o->solid,
 		.kind = o->kind,
 		.place = w->place,
 		.mirrored = mat_det(&w->place.fwd) < 0,
@@ -62,46 +77,94 @@ static void add_leaf(struct prim_set *s, uint32_t object, const struct walk *w)
 		.interior = w->interior,
 		.flags = w->flags,
 		.mesh = o->kind == SHAPE_MESH ? o->shape.mesh : SCENE_NONE,
+		.node = w->node,
+		.cut = w->cut,
 		.item = SCENE_NONE,
 	};
+}
+
+static enum csg_op node_op(enum shape_kind k)
+{
+	return k == SHAPE_UNION	       ? CSG_UNION :
+	       k == SHAPE_MERGE	       ? CSG_MERGE :
+	       k == SHAPE_INTERSECTION ? CSG_INTERSECTION :
+					 CSG_LEAF;
+}
+
+/* The nodes of an object, if it stands in constructive solid geometry or begins some. What clips it hangs on
+ * an intersection above it, which no inverse turns over. */
+static bool add_nodes(struct prim_set *s, struct buf *stack, uint32_t object, enum shape_kind kind,
+		      const struct walk *up, struct walk *w)
+{
+	const struct object *o = &s->scene->object[object];
+	bool clipped = o->first_clip != SCENE_NONE;
+
+	if (up->node == SCENE_NONE && !clipped && kind != SHAPE_MERGE && kind != SHAPE_INTERSECTION)
+		return true;
+	if (up->node == SCENE_NONE)
+		w->solid = object;
+	if (clipped) {
+		struct walk clip = *up;
+
+		w->node = clip.node = csg_add(&s->csg, s->book, CSG_INTERSECTION, up->node);
+		clip.flags &= ~(unsigned)OBJECT_INVERSE;
+		clip.cut = true;
+		if (clip.node == SCENE_NONE || !push(s, stack, o->first_clip, &clip))
+			return false;
+	}
+	w->node = csg_add(&s->csg, s->book, node_op(kind), w->node);
+	return w->node != SCENE_NONE;
+}
+
+static bool flatten_one(struct prim_set *s, struct buf *stack, uint32_t i, const struct walk *up)
+{
+	const struct object *o = &s->scene->object[i];
+	enum shape_kind kind = up->flags & OBJECT_INVERSE ? shape_inverse(o->kind) : o->kind;
+	struct walk w = inherit(up, o);
+
+	if (!add_nodes(s, stack, i, kind, up, &w))
+		return false;
+	if (kind >= SHAPE_UNION)
+		return push(s, stack, o->first_child, &w);
+	add_leaf(s, i, &w);
+	return true;
 }
 
 static enum status flatten(struct prim_set *s, struct diag *diag)
 {
 	const struct scene *sc = s->scene;
-	size_t bytes = mem_product(sc->object_count + 1, sizeof(struct frame));
-	struct frame *stack = mem_alloc(s->book, "geometry", bytes);
-	const struct walk top = { xform_identity, SCENE_NONE, SCENE_NONE, SCENE_NONE, 0 };
-	uint32_t depth = 1;
+	const struct walk top = { .place = xform_identity, .texture = SCENE_NONE,
+				  .interior_texture = SCENE_NONE, .interior = SCENE_NONE,
+				  .node = SCENE_NONE, .solid = SCENE_NONE };
+	struct buf stack = { .size = sizeof(struct frame) };
+	bool ok;
 
 	s->leaf = mem_alloc(s->book, "geometry", mem_product(sc->object_count + 1, sizeof(*s->leaf)));
-	if (!stack || !s->leaf) {
-		mem_free(stack);
-		return diag_no_memory(diag, "the list of objects", bytes);
-	}
-	stack[0] = (struct frame){ sc->first_root, top };
-	while (depth) {
-		struct frame *f = &stack[depth - 1];
+	ok = s->leaf && push(s, &stack, sc->first_root, &top);
+	while (ok && stack.count) {
+		struct frame *f = BUF_AT(&stack, struct frame, stack.count - 1);
+		const struct walk up = f->walk;
 		uint32_t i = f->next;
-		struct walk w;
 
 		if (i == SCENE_NONE) {
-			depth--;
+			stack.count--;
 			continue;
 		}
 		f->next = sc->object[i].next_sibling;
-		w = inherit(&f->walk, &sc->object[i]);
-		if (sc->object[i].kind == SHAPE_UNION)
-			stack[depth++] = (struct frame){ sc->object[i].first_child, w };
-		else
-			add_leaf(s, i, &w);
+		ok = flatten_one(s, &stack, i, &up);
 	}
-	mem_free(stack);
-	return STATUS_OK;
+	buf_release(&stack);
+	return ok ? STATUS_OK : diag_no_memory(diag, "the list of objects", sc->object_count * sizeof(*s->leaf));
 }
 
-/* Give meshes that are worth it a level of their own. Those with an interior_texture are baked: it changes
- * which of their faces cast which shadows. */
+/* Instances are asked as one, which constructive solid geometry needs. Meshes with an interior_texture are
+ * baked otherwise: it changes which of their faces cast which shadows. */
+static bool may_share(const struct prim_leaf *f)
+{
+	return f->kind == SHAPE_MESH && (f->interior_texture == SCENE_NONE || f->node != SCENE_NONE);
+}
+
+/* Give meshes that need it or are worth it a level of their own. */
 static enum status choose_levels(struct prim_set *s, struct diag *diag)
 {
 	const struct scene *sc = s->scene;
@@ -111,16 +174,16 @@ static enum status choose_levels(struct prim_set *s, struct diag *diag)
 	if (!uses)
 		return diag_no_memory(diag, "the list of meshes", bytes);
 	for (uint32_t i = 0; i < s->leaf_count; i++) {
-		if (s->leaf[i].kind == SHAPE_MESH && s->leaf[i].interior_texture == SCENE_NONE)
-			uses[s->leaf[i].mesh]++;
+		if (may_share(&s->leaf[i]))
+			uses[s->leaf[i].mesh] += s->leaf[i].node == SCENE_NONE ? 1 : BAKE_TRIANGLES;
 	}
 	for (uint32_t m = 0; m < sc->mesh_count; m++) {
 		bool shared = uses[m] > 1 && sc->mesh[m].triangle_count > BAKE_TRIANGLES;
 
-		uses[m] = shared ? levels++ : 0;
+		uses[m] = shared || uses[m] >= BAKE_TRIANGLES ? levels++ : 0;
 	}
 	for (uint32_t i = 0; i < s->leaf_count; i++) {
-		if (s->leaf[i].kind == SHAPE_MESH && s->leaf[i].interior_texture == SCENE_NONE)
+		if (may_share(&s->leaf[i]))
 			s->leaf[i].level = uses[s->leaf[i].mesh];
 	}
 	mem_free(uses);
@@ -184,6 +247,7 @@ void prim_set_release(struct prim_set *s)
 	for (unsigned k = 0; k < SHAPE_KINDS; k++)
 		mem_free(s->body_data[k]);
 	arena_release(&s->arena);
+	buf_release(&s->csg.node);
 	*s = (struct prim_set){ .scene = NULL };
 }
 

@@ -14,6 +14,7 @@
 
 #include "base/diag.h"
 #include "prim/body.h"
+#include "prim/csg.h"
 #include "prim/prim.h"
 
 /* A primitive's mask: what kinds of ray see it. Same bits as accel/trace.h's enum trace_mask. */
@@ -36,8 +37,13 @@ struct prim_leaf { /* an object that is no union, with all that it inherits */
 	uint32_t texture, interior_texture, interior, mesh;
 	unsigned flags;
 	uint32_t level; /* the instanced mesh's, or 0 */
+	uint32_t node; /* in the set's csg, or SCENE_NONE */
+	bool cut; /* clips others, and shows no surface of its own */
+	bool bounded; /* constructive solid geometry keeps it within clip, in world coordinates */
+	ald_box clip;
 	uint32_t item; /* index among level 0's analytic primitives, its bodies, its instances, or the
-			  unbounded ones; SCENE_NONE: baked mesh, or dropped */
+			  unbounded ones; SCENE_NONE: baked mesh, or dropped. In constructive solid
+			  geometry that is the whole solid, whatever of it shows: planes are primitives */
 };
 
 struct prim_group { /* ids of one leaf that stand together */
@@ -46,7 +52,7 @@ struct prim_group { /* ids of one leaf that stand together */
 };
 
 struct prim_instance {
-	uint32_t leaf, level;
+	uint32_t leaf, level, node;
 	vec centre; /* where the inner level's origin lies in level 0 */
 	struct mat to, from; /* level 0 to inner and back, linear parts */
 	ald_box box;
@@ -59,6 +65,8 @@ struct prim_level {
 	ald_box box; /* of the padded boxes */
 	uint32_t count, tri_count, prim_count, piece_count, instance_count;
 	uint32_t body_count;
+	/* Behind the last shape and instance stand those that only cut, without ids. */
+	uint32_t hidden_prims, hidden_instances;
 	uint32_t group_count;
 	uint32_t *group_first; /* [group_count + 1] */
 	struct prim_group *group;
@@ -92,7 +100,7 @@ static inline enum prim_id prim_level_id(const struct prim_level *l, uint32_t *i
 
 struct prim_unbounded {
 	struct prim_plane plane;
-	uint32_t leaf, mask;
+	uint32_t leaf, mask, node;
 };
 
 struct prim_set {
@@ -104,6 +112,7 @@ struct prim_set {
 	struct prim_level *level;
 	uint32_t unbounded_count;
 	struct prim_unbounded *unbounded;
+	struct csg csg;
 	struct arena arena; /* data of bodies */
 	void **body_data[SHAPE_KINDS]; /* by kind and the scene's number of the shape; NULL until made */
 	uint64_t dropped;

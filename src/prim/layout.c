@@ -259,12 +259,13 @@ static void count_world(struct prim_set *s, struct sums *n)
 			n->triangles += s->scene->mesh[f->mesh].triangle_count;
 			n->vertices += s->scene->mesh[f->mesh].vertex_count;
 		} else if (is_bounded(f->kind)) {
-			n->prims++;
+			n->prims += f->node == SCENE_NONE ? 1 : 2; /* see add_hidden() */
 		} else if (body_ops_of(f->kind)) {
 			n->bodies++;
 			n->pieces += body_ops_of(f->kind)->pieces(s->scene, &s->scene->object[f->object]);
 		} else if (f->kind == SHAPE_PLANE) {
 			n->planes++;
+			n->prims += f->node != SCENE_NONE;
 		}
 	}
 }
@@ -289,6 +290,7 @@ static enum status add_body(struct prim_set *s, struct prim_level *l, uint32_t l
 	const struct body_data *data = body_data(s, o);
 	struct prim *p = &l->body[l->body_count];
 	ald_box all = ald_box_empty();
+	uint32_t pieces = f->cut ? 0 : data ? data->pieces : 0;
 	unsigned mask = solid_mask(s, f);
 
 	if (!data)
@@ -297,7 +299,8 @@ static enum status add_body(struct prim_set *s, struct prim_level *l, uint32_t l
 		s->dropped++;
 		return STATUS_OK;
 	}
-	for (uint32_t i = 0; i < data->pieces; i++) {
+	p->node = f->node;
+	for (uint32_t i = 0; i < pieces; i++) {
 		struct prim_piece *q = &l->piece[l->piece_count + i];
 
 		if (!piece_make(q, p, l->body_count, i, l->size, l->pad)) {
@@ -306,29 +309,89 @@ static enum status add_body(struct prim_set *s, struct prim_level *l, uint32_t l
 		}
 		ald_box_join(&all, &q->box);
 	}
-	add_group(l, leaf);
-	for (uint32_t i = 0; i < data->pieces; i++)
-		l->mask[l->count++] = mask;
-	l->piece_count += data->pieces;
 	s->leaf[leaf].item = l->body_count++;
+	if (!pieces)
+		return STATUS_OK;
+	add_group(l, leaf);
+	for (uint32_t i = 0; i < pieces; i++)
+		l->mask[l->count++] = mask;
+	l->piece_count += pieces;
 	ald_box_join(&l->box, &all);
 	return STATUS_OK;
+}
+
+/* What other solids leave of a box, in level coordinates and grown as the box is. */
+static void clip_box(const struct prim_leaf *f, const struct prim_level *l, struct prim *p)
+{
+	for (unsigned k = 0; f->bounded && k < 3; k++) {
+		double shift = (&l->shift.x)[k], mid = (&p->centre.x)[k];
+		double lo = ((&f->clip.lo.x)[k] - shift) * l->scale, hi = ((&f->clip.hi.x)[k] - shift) * l->scale;
+		double grow = l->pad + 16 * ALD_U * (fabs(lo) + fabs(hi) + fabs(shift) * l->scale) +
+			      prim_map_error(&p->to, &p->from, k, l->size + fabs(mid));
+
+		(&p->box.lo.x)[k] = fmax((&p->box.lo.x)[k], lo - grow);
+		(&p->box.hi.x)[k] = fmin((&p->box.hi.x)[k], hi + grow);
+	}
+}
+
+static bool box_is_sound(const ald_box *b)
+{
+	return vec_finite(b->lo) && vec_finite(b->hi) && b->lo.x <= b->hi.x && b->lo.y <= b->hi.y &&
+	       b->lo.z <= b->hi.z;
+}
+
+/* Other solids leave nothing of it. */
+static bool is_cut_off(const struct prim_leaf *f)
+{
+	return f->node != SCENE_NONE && (f->cut || f->clip.lo.x > f->clip.hi.x || f->clip.lo.y > f->clip.hi.y ||
+					 f->clip.lo.z > f->clip.hi.z);
+}
+
+static bool make_solid(const struct prim_set *s, const struct prim_level *l, const struct prim_leaf *f,
+		       struct prim *p)
+{
+	const struct object *o = &s->scene->object[f->object];
+	bool ok = f->kind == SHAPE_PLANE ? prim_make_plane(p, o, &f->place, l->shift, l->scale) :
+					   prim_make(p, o, &f->place, l->shift, l->scale, l->size, l->pad);
+
+	p->node = f->node;
+	return ok;
+}
+
+/* Some of its surface shows, within a box. */
+static bool is_visible(const struct prim_leaf *f)
+{
+	return f->node == SCENE_NONE ? is_bounded(f->kind) :
+				       (is_bounded(f->kind) || f->kind == SHAPE_PLANE) && !f->cut &&
+					       box_is_sound(&f->clip);
 }
 
 static void add_prim(struct prim_set *s, struct prim_level *l, uint32_t leaf)
 {
 	const struct prim_leaf *f = &s->leaf[leaf];
 	struct prim *p = &l->prim[l->prim_count];
-	const struct object *o = &s->scene->object[f->object];
 
-	if (!prim_make(p, o, &f->place, l->shift, l->scale, l->size, l->pad)) {
+	if (!make_solid(s, l, f, p)) {
 		s->dropped++;
 		return;
 	}
+	clip_box(f, l, p);
 	add_group(l, leaf);
 	l->mask[l->count++] = solid_mask(s, f);
 	s->leaf[leaf].item = l->prim_count++;
 	ald_box_join(&l->box, &p->box);
+}
+
+/* Solids of which nothing shows in a box, and closed ones in the place of open cones: they only cut. */
+static void add_hidden(struct prim_set *s, struct prim_level *l, uint32_t leaf)
+{
+	struct prim_leaf *f = &s->leaf[leaf];
+	struct prim *p = &l->prim[l->prim_count + l->hidden_prims];
+
+	if (!make_solid(s, l, f, p))
+		return;
+	p->open = false;
+	f->item = l->prim_count + l->hidden_prims++;
 }
 
 /* The inner box's corners, mapped, and grown by what mapping a ray can do to it. */
@@ -357,14 +420,14 @@ static void add_instance(struct prim_set *s, struct prim_level *l, uint32_t leaf
 {
 	const struct prim_leaf *f = &s->leaf[leaf];
 	const struct prim_level *in = &s->level[f->level];
-	struct prim_instance *p = &l->instance[l->instance_count];
+	struct prim_instance *p = &l->instance[l->instance_count + l->hidden_instances];
 	unsigned shadow = prim_leaf_mask(s->scene, f);
 	const unsigned both = PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR;
 	double scale = in->scale / l->scale;
 
 	if (!in->count)
 		return;
-	*p = (struct prim_instance){ .leaf = leaf, .level = f->level };
+	*p = (struct prim_instance){ .leaf = leaf, .level = f->level, .node = f->node };
 	p->centre = prim_level_point(l, mat_point(&f->place.fwd, in->shift));
 	for (unsigned i = 0; i < 3; i++) {
 		for (unsigned j = 0; j < 3; j++) {
@@ -375,6 +438,10 @@ static void add_instance(struct prim_set *s, struct prim_level *l, uint32_t leaf
 	bound_instance(p, in, l);
 	if (!vec_finite(p->box.lo) || !vec_finite(p->box.hi)) {
 		s->dropped += in->count;
+		return;
+	}
+	if (f->cut) {
+		s->leaf[leaf].item = l->instance_count + l->hidden_instances++;
 		return;
 	}
 	add_group(l, leaf);
@@ -398,6 +465,7 @@ static void add_plane(struct prim_set *s, const struct prim_level *l, uint32_t l
 		return;
 	}
 	p->leaf = leaf;
+	p->node = f->node;
 	p->mask = solid_mask(s, f);
 	s->leaf[leaf].item = s->unbounded_count++;
 }
@@ -445,6 +513,90 @@ bool prim_same_frame(const struct prim_set *s, const struct scene *other)
 	return l.scale == old->scale && l.size == old->size && !memcmp(&l.shift, &old->shift, sizeof(vec));
 }
 
+/* Instances that only cut stand behind all others. */
+static enum status add_solids(struct prim_set *s, struct prim_level *l, struct diag *diag)
+{
+	enum status st = STATUS_OK;
+
+	for (uint32_t i = 0; i < s->leaf_count; i++) {
+		if (is_visible(&s->leaf[i]))
+			add_prim(s, l, i);
+		else if (s->leaf[i].kind == SHAPE_PLANE && !is_cut_off(&s->leaf[i]))
+			add_plane(s, l, i);
+	}
+	for (uint32_t i = 0; i < s->leaf_count && s->csg.node.count; i++) {
+		const struct prim_leaf *f = &s->leaf[i];
+		bool open = f->kind == SHAPE_CONE && s->scene->object[f->object].shape.cone.open;
+
+		if (f->node != SCENE_NONE && (is_bounded(f->kind) || f->kind == SHAPE_PLANE) &&
+		    (open || !is_visible(f)))
+			add_hidden(s, l, i);
+	}
+	for (uint32_t i = 0; i < s->leaf_count && !st; i++) {
+		if (body_ops_of(s->leaf[i].kind))
+			st = add_body(s, l, i, diag);
+	}
+	for (unsigned cut = 0; cut < 2; cut++) {
+		for (uint32_t i = 0; i < s->leaf_count; i++) {
+			if (s->leaf[i].level && s->leaf[i].cut == cut)
+				add_instance(s, l, i);
+		}
+	}
+	return st;
+}
+
+/* Where what shows of every leaf lies, as far as constructive solid geometry says. */
+static void bound_csg(struct prim_set *s)
+{
+	for (uint32_t i = 0; i < s->leaf_count; i++) {
+		struct prim_leaf *f = &s->leaf[i];
+		ald_box own = ald_box_empty();
+
+		if (f->node == SCENE_NONE)
+			continue;
+		f->clip = csg_at(&s->csg, f->node)->box;
+		if (leaf_box(s, f, &own))
+			f->clip = own;
+		if (!(f->flags & OBJECT_INVERSE) && f->kind != SHAPE_DISC)
+			csg_at(&s->csg, f->node)->box = f->clip;
+	}
+	csg_join_boxes(&s->csg);
+	for (uint32_t i = 0; i < s->leaf_count; i++) {
+		struct prim_leaf *f = &s->leaf[i];
+
+		if (f->node == SCENE_NONE)
+			continue;
+		f->bounded = true;
+		f->clip = csg_clip(&s->csg, f->node, f->clip);
+	}
+}
+
+/* Of all that shows. */
+static void join_leaf(struct prim_set *s, const struct prim_leaf *f)
+{
+	if (f->node == SCENE_NONE)
+		leaf_box(s, f, &s->world);
+	else if (!f->cut && box_is_sound(&f->clip))
+		ald_box_join(&s->world, &f->clip);
+}
+
+/* From world coordinates to the level's, grown as for a primitive. */
+static void place_csg(struct prim_set *s, const struct prim_level *l)
+{
+	for (uint32_t i = 0; i < s->csg.node.count; i++) {
+		ald_box *b = &csg_at(&s->csg, i)->box;
+
+		for (unsigned k = 0; k < 3; k++) {
+			double shift = (&l->shift.x)[k];
+			double lo = ((&b->lo.x)[k] - shift) * l->scale, hi = ((&b->hi.x)[k] - shift) * l->scale;
+			double grow = 64 * (l->pad + ALD_U * (fabs(lo) + fabs(hi) + fabs(shift) * l->scale));
+
+			(&b->lo.x)[k] = isfinite(lo) ? lo - grow : lo;
+			(&b->hi.x)[k] = isfinite(hi) ? hi + grow : hi;
+		}
+	}
+}
+
 enum status layout_world(struct prim_set *s, struct diag *diag)
 {
 	struct prim_level *l = &s->level[0];
@@ -453,8 +605,9 @@ enum status layout_world(struct prim_set *s, struct diag *diag)
 	enum status st;
 
 	s->world = ald_box_empty();
+	bound_csg(s);
 	for (uint32_t i = 0; i < s->leaf_count; i++)
-		leaf_box(s, &s->leaf[i], &s->world);
+		join_leaf(s, &s->leaf[i]);
 	world_frame(l, &s->world, s->scene);
 	count_world(s, &n);
 	s->unbounded = take(s, n.planes, sizeof(*s->unbounded), &ok);
@@ -468,20 +621,8 @@ enum status layout_world(struct prim_set *s, struct diag *diag)
 	prim_narrow_vertices(l);
 	l->box = ald_box_empty();
 	join_triangles(l);
-	for (uint32_t i = 0; i < s->leaf_count; i++) {
-		if (is_bounded(s->leaf[i].kind))
-			add_prim(s, l, i);
-		else if (s->leaf[i].kind == SHAPE_PLANE)
-			add_plane(s, l, i);
-	}
-	for (uint32_t i = 0; i < s->leaf_count && !st; i++) {
-		if (body_ops_of(s->leaf[i].kind))
-			st = add_body(s, l, i, diag);
-	}
-	for (uint32_t i = 0; i < s->leaf_count; i++) {
-		if (s->leaf[i].level)
-			add_instance(s, l, i);
-	}
+	place_csg(s, l);
+	st = add_solids(s, l, diag);
 	l->group_first[l->group_count] = l->count;
 	return st;
 }

@@ -4,6 +4,7 @@ src_libalidade_la_SOURCES += \
 	src/prim/box.c \
 	src/prim/compile.c src/prim/compile.h \
 	src/prim/cone.c \
+	src/prim/csg.c src/prim/csg.h \
 	src/prim/disc.c \
 	src/prim/layout.c src/prim/layout.h \
 	src/prim/mesh.c \

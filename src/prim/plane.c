@@ -40,3 +40,46 @@ bool plane_inside(const struct prim_plane *p, vec at)
 {
 	return vec_dot(p->n, at) <= p->d;
 }
+
+/* The same as a primitive in level coordinates about a point of the plane, normal half. */
+static void plane_roots(const struct prim *p, vec o, vec d, struct prim_roots *out)
+{
+	out->count = 1;
+	out->t[0] = -vec_dot(p->half, o) / vec_dot(p->half, d);
+	out->part[0] = 0;
+}
+
+static void plane_point(const struct prim *p, vec at, uint32_t part, struct prim_point *s)
+{
+	(void)part;
+	s->p = vec_mad(at, p->half, -vec_dot(p->half, at));
+	s->n = p->half;
+}
+
+static bool plane_holds(const struct prim *p, vec at)
+{
+	return vec_dot(p->half, at) <= 0;
+}
+
+static double plane_reach(const struct prim *p, unsigned k, bool up)
+{
+	(void)p;
+	(void)k;
+	(void)up;
+	return ALD_INF;
+}
+
+const struct prim_ops prim_plane_ops = { plane_roots, plane_point, plane_holds, plane_reach };
+
+bool prim_make_plane(struct prim *p, const struct object *o, const struct xform *place, vec shift,
+		     double scale)
+{
+	struct prim_plane plane;
+
+	if (!plane_make(&plane, o, place, shift, scale))
+		return false;
+	*p = (struct prim){ .kind = SHAPE_PLANE, .half = plane.n, .to = mat_identity, .from = mat_identity,
+			    .centre = vec_scale(plane.n, plane.d), .node = SCENE_NONE };
+	p->box = (ald_box){ { -ALD_INF, -ALD_INF, -ALD_INF }, { ALD_INF, ALD_INF, ALD_INF } };
+	return true;
+}

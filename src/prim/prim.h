@@ -27,6 +27,7 @@ struct prim {
 	vec half; /* box */
 	ald_box box; /* grown, as the accelerator sees it; a body has none */
 	const void *data; /* of a body, see body.h */
+	uint32_t node; /* in constructive solid geometry, see csg.h; SCENE_NONE: all of the surface shows */
 };
 
 /* A ray in own coordinates, its origin slid to the point of closest approach: o + (t - slide) d. */
@@ -58,7 +59,8 @@ struct prim_ops {
 	double (*reach)(const struct prim *, unsigned k, bool up);
 };
 
-extern const struct prim_ops prim_sphere_ops, prim_box_ops, prim_cone_ops, prim_disc_ops, prim_torus_ops;
+extern const struct prim_ops prim_sphere_ops, prim_box_ops, prim_cone_ops, prim_disc_ops, prim_torus_ops,
+	prim_plane_ops;
 
 /* Set up from a scene object and its accumulated transform; level = (world - shift) * scale. False: it
  * has no extent, or something is not finite. Grows the box by pad and by what the map's rounding can
@@ -66,6 +68,13 @@ extern const struct prim_ops prim_sphere_ops, prim_box_ops, prim_cone_ops, prim_
 bool prim_make(struct prim *, const struct object *, const struct xform *place, vec shift, double scale,
 	       double size, double pad);
 
+/* An infinite plane as a primitive, for constructive solid geometry: its box is infinite and the caller's
+ * to bound. */
+bool prim_make_plane(struct prim *, const struct object *, const struct xform *place, vec shift,
+		     double scale);
+
+/* Where the whole line meets the primitive, by t, before the box holds them (prim_clamp()). */
+void prim_crossings(const struct prim *, const ald_ray *, struct prim_roots *);
 /* Rule R1 and the filters: as prims->intersect(), masks and skip apart. */
 int prim_intersect(const struct prim *, uint32_t id, const ald_ray *, ald_hit *);
 /* Place and unit normal in level coordinates of a hit, and a bound on the place's error. */

@@ -10,7 +10,7 @@ static const struct prim_ops *ops_of(const struct prim *p)
 	static const struct prim_ops *const ops[SHAPE_KINDS] = {
 		[SHAPE_SPHERE] = &prim_sphere_ops, [SHAPE_BOX] = &prim_box_ops,
 		[SHAPE_CONE] = &prim_cone_ops,	   [SHAPE_DISC] = &prim_disc_ops,
-		[SHAPE_TORUS] = &prim_torus_ops,
+		[SHAPE_TORUS] = &prim_torus_ops, [SHAPE_PLANE] = &prim_plane_ops,
 	};
 
 	return ops[p->kind];
@@ -124,7 +124,7 @@ bool prim_make(struct prim *p, const struct object *o, const struct xform *place
 {
 	struct mat m;
 
-	*p = (struct prim){ .kind = o->kind };
+	*p = (struct prim){ .kind = o->kind, .node = SCENE_NONE };
 	m = canonical(p, o);
 	if (!prim_frame(p, &m, place, shift, scale) || !isfinite(p->a) || !isfinite(p->b) ||
 	    !vec_finite(p->half))
@@ -167,16 +167,25 @@ bool prim_line(const struct prim *p, const ald_ray *r, struct prim_line *l)
 	return dd > 0 && isfinite(l->slide);
 }
 
-int prim_intersect(const struct prim *p, uint32_t id, const ald_ray *r, ald_hit *hit)
+void prim_crossings(const struct prim *p, const ald_ray *r, struct prim_roots *roots)
 {
-	struct prim_roots roots = { .count = 0 };
 	struct prim_line l;
 
+	roots->count = 0;
 	if (!prim_line(p, r, &l))
-		return 0;
-	ops_of(p)->roots(p, l.o, l.d, &roots);
+		return;
+	ops_of(p)->roots(p, l.o, l.d, roots);
+	for (uint32_t i = 0; i < roots->count; i++)
+		roots->t[i] += l.slide;
+}
+
+int prim_intersect(const struct prim *p, uint32_t id, const ald_ray *r, ald_hit *hit)
+{
+	struct prim_roots roots;
+
+	prim_crossings(p, r, &roots);
 	for (uint32_t i = 0; i < roots.count; i++) {
-		double t = prim_clamp(r, &p->box, l.slide + roots.t[i]);
+		double t = prim_clamp(r, &p->box, roots.t[i]);
 
 		if (!isfinite(t) || !ald_counts(r, t, id, hit))
 			continue;

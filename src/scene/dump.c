@@ -238,6 +238,12 @@ static void dump_shape(const struct object *o, FILE *to)
 	case SHAPE_BLOB:
 		fprintf(to, " blob %u", o->shape.blob);
 		break;
+	case SHAPE_MERGE:
+		fputs(" merge", to);
+		break;
+	case SHAPE_INTERSECTION:
+		fputs(" intersection", to);
+		break;
 	default:
 		fputs(" union", to);
 	}
@@ -262,6 +268,7 @@ static void dump_object(const struct object *o, uint32_t i, unsigned what, FILE 
 	put_index(to, "interior_texture", o->interior_texture);
 	put_index(to, "interior", o->interior);
 	put_index(to, "first_child", o->first_child);
+	put_index(to, "first_clip", o->first_clip);
 	put_index(to, "next", o->next_sibling);
 	dump_flags(o->flags, to);
 	if (!mat_is_identity(&o->place.fwd))

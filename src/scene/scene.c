@@ -213,7 +213,7 @@ uint32_t scene_add_object(struct scene *s)
 	o = &s->object[i];
 	o->place = xform_identity;
 	o->texture = o->interior_texture = o->interior = o->solid = SCENE_NONE;
-	o->first_child = o->next_sibling = SCENE_NONE;
+	o->first_child = o->next_sibling = o->first_clip = SCENE_NONE;
 	return i;
 }
 
@@ -271,6 +271,7 @@ static uint64_t hash_object(uint64_t h, const struct object *o)
 	h = HASH(h, o->flags);
 	h = HASH(h, o->first_child);
 	h = HASH(h, o->next_sibling);
+	h = HASH(h, o->first_clip);
 	return HASH(h, o->shape); /* cleared when made, so its padding is 0 */
 }
 

@@ -141,7 +141,9 @@ enum shape_kind {
 	SHAPE_TORUS,
 	SHAPE_SWEEP,
 	SHAPE_BLOB,
-	SHAPE_UNION,
+	SHAPE_UNION, /* this and those below have children */
+	SHAPE_MERGE,
+	SHAPE_INTERSECTION, /* a difference is one with inverses */
 	SHAPE_KINDS
 };
 
@@ -151,6 +153,7 @@ enum object_flag {
 	OBJECT_NO_REFLECTION = 4, /* reflected rays do not see it */
 	OBJECT_HOLLOW = 8,
 	OBJECT_DOUBLE_ILLUMINATE = 16,
+	/* Outside in. With children: each of them is, and the kind is already what that makes of it */
 	OBJECT_INVERSE = 32,
 	OBJECT_NO_RADIOSITY = 64 /* rays that gather indirect light do not see it */
 };
@@ -166,7 +169,9 @@ struct object {
 	uint32_t solid; /* leaves of an equal number are one solid for refraction: POV-Ray tells solids
 			   apart by their interiors, and a union's is shared; SCENE_NONE: by itself */
 	unsigned flags; /* enum object_flag; a parent's are added */
-	uint32_t first_child, next_sibling; /* unions; SCENE_NONE ends */
+	uint32_t first_child, next_sibling; /* unions and the like; SCENE_NONE ends */
+	uint32_t first_clip; /* clipped_by: chained siblings, in the parent's coordinates; only what lies in
+				all of them is there */
 	union {
 		uint32_t mesh, sweep, blob;
 		struct {
@@ -215,6 +220,14 @@ struct radiosity {
 	double pretrace_start, pretrace_end; /* shares of the picture's width */
 	bool always_sample;
 };
+
+/* What inside out makes of a kind with children, as POV-Ray does it: twice is not always what it was. */
+static inline enum shape_kind shape_inverse(enum shape_kind k)
+{
+	return k == SHAPE_INTERSECTION			   ? SHAPE_MERGE :
+	       k == SHAPE_UNION || k == SHAPE_MERGE ? SHAPE_INTERSECTION :
+						      k;
+}
 
 struct scene {
 	struct mem_book *book; /* the caller's; outlives the scene */

@@ -19,6 +19,9 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/camera-spherical.pov \
 	tests/features/camera-wide.pov \
 	tests/features/blobs.pov \
+	tests/features/csg.pov \
+	tests/features/csg-glass.pov \
+	tests/features/csg-solids.pov \
 	tests/features/depth-limit.pov \
 	tests/features/diffuse-back.pov \
 	tests/features/diffuse.pov \
@@ -99,6 +102,9 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/camera-spherical.exr \
 	tests/features/camera-wide.exr \
 	tests/features/blobs.exr \
+	tests/features/csg.exr \
+	tests/features/csg-glass.exr \
+	tests/features/csg-solids.exr \
 	tests/features/depth-limit.exr \
 	tests/features/diffuse-back.exr \
 	tests/features/diffuse.exr \

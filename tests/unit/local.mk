@@ -71,11 +71,14 @@ TESTS += tests/unit/test_trace tests/unit/test_kernel tests/unit/test_prim tests
 endif
 
 if HAVE_CMOCKA
-check_PROGRAMS += tests/unit/test_body
+check_PROGRAMS += tests/unit/test_body tests/unit/test_csg
+tests_unit_test_csg_SOURCES = tests/unit/test_csg.c tests/unit/mesh_fixture.h tests/unit/world_fixture.h
+tests_unit_test_csg_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_csg_LDADD = $(UNIT_LIBS)
 tests_unit_test_body_SOURCES = tests/unit/test_body.c tests/unit/world_fixture.h
 tests_unit_test_body_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_body_LDADD = $(UNIT_LIBS)
-TESTS += tests/unit/test_body
+TESTS += tests/unit/test_body tests/unit/test_csg
 endif
 
 if HAVE_CMOCKA

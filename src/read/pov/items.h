@@ -100,6 +100,7 @@ struct pov_blob {
 struct pov_child {
 	struct pov_object *object;
 	struct pov_child *next;
+	struct xform before; /* clipped_by: the transforms of the object that stand before it */
 };
 
 struct pov_object { /* ITEM_OBJECT */
@@ -114,7 +115,8 @@ struct pov_object { /* ITEM_OBJECT */
 	bool uv; /* uv_mapping: all its textures are asked at (u, v, 0) */
 	unsigned given; /* enum object_flag: those that were given, on or off */
 	struct pov_lack lack;
-	struct pov_child *first, *last; /* of a union, in the order of the file */
+	struct pov_child *first, *last; /* of a union and the like, in the order of the file */
+	struct pov_child *clip; /* clipped_by, the last one first */
 	uint32_t depth; /* of unions in unions below this one */
 	uint64_t weight; /* objects that it puts into the scene, with all that is in it */
 };

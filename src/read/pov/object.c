@@ -149,14 +149,11 @@ static const struct shape_word {
 	{ TOK_SPHERE_SWEEP, SHAPE_SWEEP, pov_read_sweep },
 	{ TOK_BICUBIC_PATCH, SHAPE_UNION, NULL },
 	{ TOK_CUBIC, SHAPE_UNION, NULL },
-	{ TOK_DIFFERENCE, SHAPE_UNION, NULL },
 	{ TOK_HEIGHT_FIELD, SHAPE_UNION, NULL },
-	{ TOK_INTERSECTION, SHAPE_UNION, NULL },
 	{ TOK_ISOSURFACE, SHAPE_UNION, NULL },
 	{ TOK_JULIA_FRACTAL, SHAPE_UNION, NULL },
 	{ TOK_LATHE, SHAPE_UNION, NULL },
 	{ TOK_LIGHT_GROUP, SHAPE_UNION, NULL },
-	{ TOK_MERGE, SHAPE_UNION, NULL },
 	{ TOK_OVUS, SHAPE_UNION, NULL },
 	{ TOK_PARAMETRIC, SHAPE_UNION, NULL },
 	{ TOK_POLY, SHAPE_UNION, NULL },
@@ -185,6 +182,9 @@ bool pov_starts_object(struct pov *p)
 	case TOK_OBJECT:
 	case TOK_UNION:
 	case TOK_COMPOSITE:
+	case TOK_MERGE:
+	case TOK_INTERSECTION:
+	case TOK_DIFFERENCE:
 	case TOK_BLOB:
 	case TOK_MESH:
 	case TOK_MESH2:
@@ -237,13 +237,33 @@ static bool read_flag(struct pov *p, struct pov_object *o)
 	return true;
 }
 
-static void read_inverse(struct pov *p, struct pov_object *o)
+static void invert(struct pov_object *o)
 {
-	/* An inverted union is POV-Ray's intersection of the inverses: it hides inner surfaces. */
-	if (o->object.kind == SHAPE_UNION && !o->light)
-		pov_lack_note(p, &o->lack, "inverse of a union", NULL);
 	o->object.flags ^= OBJECT_INVERSE;
-	pov_next(p);
+	if (!o->light && !o->lack.construct)
+		o->object.kind = shape_inverse(o->object.kind);
+}
+
+static bool read_clip(struct pov *p, struct pov_object *o)
+{
+	if (!pov_open(p))
+		return false;
+	if (pov_accept(p, TOK_BOUNDED_BY))
+		pov_lack_note(p, &o->lack, "clipped_by { bounded_by }", "give clipped_by its own objects");
+	while (!pov_failed(p) && pov_starts_object(p)) {
+		struct pov_child *c = pov_new(p, sizeof(*c));
+
+		if (!c)
+			return false;
+		c->object = pov_read_object(p);
+		c->next = o->clip;
+		c->before = o->object.place;
+		o->clip = c;
+		if (!c->object)
+			return false;
+		o->weight += c->object->weight < UINT64_MAX / 4 ? c->object->weight : 0;
+	}
+	return pov_close(p, "clipped_by");
 }
 
 /* Words that change nothing that we draw. */
@@ -265,6 +285,7 @@ static bool read_ignored(struct pov *p, struct pov_object *o)
 		pov_next(p);
 		return true;
 	case TOK_CUTAWAY_TEXTURES:
+		pov_lack_note(p, &o->lack, "cutaway_textures", "give the cutting objects textures");
 		pov_next(p);
 		return true;
 	case TOK_RADIOSITY:
@@ -277,8 +298,7 @@ static bool read_ignored(struct pov *p, struct pov_object *o)
 			pov_lack_note(p, &pov_state(p)->object_photons, "photons", NULL);
 		break;
 	case TOK_CLIPPED_BY:
-		pov_lack_note(p, &o->lack, "clipped_by", "apply the cut in Blender");
-		break;
+		return read_clip(p, o);
 	default:
 		if (pov_starts_colour(p) && t != TOK_IDENT && t != TOK_NUMBER) {
 			pov_warn(p, NULL, "a colour belongs into pigment { }; it is not used here");
@@ -377,8 +397,8 @@ static bool read_look(struct pov *p, struct pov_object *o)
 static void read_modifiers(struct pov *p, struct pov_object *o)
 {
 	while (!pov_failed(p)) {
-		if (pov_token(p) == TOK_INVERSE)
-			read_inverse(p, o);
+		if (pov_accept(p, TOK_INVERSE))
+			invert(o);
 		else if (!read_transform(p, o) && !read_look(p, o) && !read_flag(p, o) &&
 			 !read_ignored(p, o))
 			return;
@@ -408,13 +428,25 @@ static bool add_child(struct pov *p, struct pov_object *o, struct pov_object *ch
 	return true;
 }
 
-static struct pov_object *read_union(struct pov *p, struct pov_object *o)
+/* A difference is the first object without what lies in the others: with their inverses. */
+static struct pov_object *read_children(struct pov *p, struct pov_object *o, enum pov_token_kind t)
 {
+	bool first = true;
+
+	o->object.kind = t == TOK_MERGE						      ? SHAPE_MERGE :
+			 t == TOK_INTERSECTION || t == TOK_DIFFERENCE ? SHAPE_INTERSECTION :
+									SHAPE_UNION;
 	while (!pov_failed(p) && pov_starts_object(p)) {
 		struct pov_object *child = pov_read_object(p);
 
+		if (child && t == TOK_DIFFERENCE && !first) {
+			child = pov_copy(p, child, sizeof(*child));
+			if (child)
+				invert(child);
+		}
 		if (!child || !add_child(p, o, child))
 			return NULL;
+		first = first && child->light;
 	}
 	return o;
 }
@@ -443,7 +475,10 @@ static struct pov_object *read_body(struct pov *p, struct pov_object *o, enum po
 		return pov_read_object(p);
 	case TOK_UNION:
 	case TOK_COMPOSITE:
-		return read_union(p, o);
+	case TOK_MERGE:
+	case TOK_INTERSECTION:
+	case TOK_DIFFERENCE:
+		return read_children(p, o, t);
 	case TOK_BLOB:
 		return pov_read_blob(p, o);
 	case TOK_MESH:

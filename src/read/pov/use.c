@@ -25,6 +25,7 @@ struct context {
 	unsigned double_illuminate, double_given;
 	struct xform place; /* to the scene */
 	uint32_t solid; /* the union that gave the interior, or SCENE_NONE */
+	bool cut; /* only its inside counts */
 };
 
 static bool use_object(struct pov *, struct pov_object *, const struct context *, uint32_t *index);
@@ -145,7 +146,8 @@ static struct xform *use_place(struct pov *p, uint32_t texture, const struct xfo
 
 /* Components' textures lie where the object does, so that a blob that is used again is another one, unless
  * no component has a texture. */
-static bool use_blob(struct pov *p, struct pov_blob *b, bool uv, const struct xform *place, uint32_t *index)
+static bool use_blob(struct pov *p, struct pov_blob *b, bool uv, const struct xform *place,
+		     uint32_t *index)
 {
 	struct scene *s = pov_scene(p);
 	uint32_t count = s->blob[b->index].count, i = b->index, textures = 0;
@@ -256,6 +258,32 @@ static bool use_children(struct pov *p, struct pov_object *o, const struct conte
 	return true;
 }
 
+/* Each clip in a union that moves it as the object was moved since. */
+static bool use_clips(struct pov *p, struct pov_object *o, const struct context *c, uint32_t index)
+{
+	for (struct pov_child *clip = o->clip; clip; clip = clip->next) {
+		struct xform undo = { clip->before.inv, clip->before.fwd };
+		struct xform since = xform_mul(&undo, &o->object.place);
+		struct context cut = { .place = xform_mul(&since, &c->place), .cut = true, .solid = SCENE_NONE };
+		uint32_t i, wrap;
+
+		cut.texture_place = cut.interior_texture_place = xform_identity;
+		if (!use_object(p, clip->object, &cut, &i))
+			return false;
+		if (i == SCENE_NONE)
+			continue;
+		wrap = scene_add_object(pov_scene(p));
+		if (wrap == SCENE_NONE)
+			return pov_no_memory(p);
+		pov_scene(p)->object[wrap].kind = SHAPE_UNION;
+		pov_scene(p)->object[wrap].place = since;
+		pov_scene(p)->object[wrap].first_child = i;
+		pov_scene(p)->object[wrap].next_sibling = pov_scene(p)->object[index].first_clip;
+		pov_scene(p)->object[index].first_clip = wrap;
+	}
+	return true;
+}
+
 static bool check_place(struct pov *p, const struct pov_object *o)
 {
 	const struct mat *m[] = { &o->object.place.fwd, &o->object.place.inv };
@@ -303,12 +331,14 @@ static bool use_object(struct pov *p, struct pov_object *o, const struct context
 	if (o->mesh)
 		out->shape.mesh = o->mesh->index;
 	if (o->interior)
-		inner.solid = out->kind == SHAPE_UNION ? *index : SCENE_NONE;
+		inner.solid = out->kind >= SHAPE_UNION ? *index : SCENE_NONE;
 	out->solid = inner.solid;
-	if (out->kind == SHAPE_UNION)
-		return use_children(p, o, &inner, *index);
 	out->flags = o->object.flags & OBJECT_INVERSE;
-	return use_look(p, o, &inner, out);
+	if (o->clip && !use_clips(p, o, c, *index))
+		return false;
+	if (o->object.kind >= SHAPE_UNION)
+		return use_children(p, o, &inner, *index);
+	return c->cut || use_look(p, o, &inner, &pov_scene(p)->object[*index]);
 }
 
 void pov_use_object(struct pov *p, struct pov_object *o)

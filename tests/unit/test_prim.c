@@ -282,7 +282,7 @@ static void secondary_rays_leave(void **state)
 
 				shape_of(o, solids[n % SOLIDS], size, n / SOLIDS % 3);
 				o->texture = o->interior_texture = o->interior = SCENE_NONE;
-				o->first_child = SCENE_NONE;
+				o->first_child = o->first_clip = SCENE_NONE;
 				o->next_sibling = next;
 			}
 			move = xform_translate(vec_scale(vec_make(0.6, -0.64, 0.48), far * size));

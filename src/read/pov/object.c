@@ -248,8 +248,10 @@ static bool read_clip(struct pov *p, struct pov_object *o)
 {
 	if (!pov_open(p))
 		return false;
-	if (pov_accept(p, TOK_BOUNDED_BY))
+	if (pov_token(p) == TOK_BOUNDED_BY) {
 		pov_lack_note(p, &o->lack, "clipped_by { bounded_by }", "give clipped_by its own objects");
+		pov_next(p);
+	}
 	while (!pov_failed(p) && pov_starts_object(p)) {
 		struct pov_child *c = pov_new(p, sizeof(*c));
 

@@ -97,6 +97,9 @@ void trace_after(ald_ray *, const ald_hit *);
 
 /* Normals, barycentrics, textures of a hit. [render] */
 void surface_at(const struct geometry *, const ald_ray *, const ald_hit *, struct surface *);
+/* By how much u and v change along a way on the surface, if the scene asks for them. */
+void surface_uv_along(const struct geometry *, const ald_hit *, const struct surface *, vec way, double *u,
+		      double *v);
 /* A bound on the distance between surface.p and the true surface, in world units (R4, numerics): a
  * ray that starts at p, moved by this along n, is on that side of this surface. */
 double surface_error(const struct geometry *, const ald_ray *, const ald_hit *, const struct surface *);

@@ -10,9 +10,11 @@
 #include "pattern/image.h"
 
 #include "pattern/family.h"
+#include "pattern/footprint.h"
 
 #include <math.h>
 
+#define LOOKS_MAX 16 /* along a footprint that is longer than wide */
 #define NUDGE 1e-10 /* POV-Ray's: puts what lies on a pixel's edge on one side of it */
 
 /* In pixels from the upper left, wrapped into the picture. */
@@ -289,7 +291,145 @@ static struct texel look(const struct picture_place *m, struct spot s)
 	return t;
 }
 
-struct rgbft image_colour(const struct picture_place *m, vec p)
+struct rgbft image_texel(const struct picture_place *m, uint32_t x, uint32_t y)
+{
+	struct texel t = pixel(m, x, y);
+
+	if (!m->picture->palette_count) {
+		t.c.filter -= m->filter_all;
+		t.c.transmit -= m->transmit_all;
+	}
+	return t.c;
+}
+
+struct rgbft image_level_texel(const struct mip *mip, uint32_t level, uint32_t x, uint32_t y)
+{
+	const struct mip_level *l = &mip->level[level];
+	const float *t = l->texel + ((size_t)y * l->width + x) * mip->channels;
+	struct rgbft c = { (double)t[0], (double)t[0], (double)t[0], 0, 0 };
+
+	if (mip->channels > 2) {
+		c.g = (double)t[1];
+		c.b = (double)t[2];
+	}
+	if (mip->channels == 5)
+		c.filter = (double)t[3];
+	if (mip->channels != 1 && mip->channels != 3)
+		c.transmit = (double)t[mip->channels - 1];
+	return c;
+}
+
+void image_level_store(struct mip *mip, uint32_t level, uint32_t x, uint32_t y, struct rgbft c)
+{
+	struct mip_level *l = &mip->level[level];
+	float *t = l->texel + ((size_t)y * l->width + x) * mip->channels;
+
+	t[0] = (float)c.r;
+	if (mip->channels > 2) {
+		t[1] = (float)c.g;
+		t[2] = (float)c.b;
+	}
+	if (mip->channels == 5)
+		t[3] = (float)c.filter;
+	if (mip->channels != 1 && mip->channels != 3)
+		t[mip->channels - 1] = (float)c.transmit;
+}
+
+/* Bilinear in a smaller copy; spots are those of the whole picture. */
+static struct texel look_small(const struct picture_place *m, uint32_t level, struct spot s)
+{
+	const struct mip_level *l = &m->mip->level[level];
+	double x = s.x * l->width / m->picture->width - 0.5, y = s.y * l->height / m->picture->height - 0.5;
+	double x0 = floor(x), y0 = floor(y);
+	struct texel t = { .index = 0 };
+
+	for (int i = 0; i < 4; i++) {
+		size_t at_x = beyond((int64_t)x0 + (i & 1), l->width, m->once);
+		size_t at_y = beyond((int64_t)y0 + (i >> 1), l->height, m->once);
+		struct texel corner = { .c = image_level_texel(m->mip, level, (uint32_t)at_x, (uint32_t)at_y) };
+
+		add(&t, &corner, (i & 1 ? x - x0 : 1 - (x - x0)) * (i >> 1 ? y - y0 : 1 - (y - y0)));
+	}
+	if (!m->picture->palette_count) {
+		t.c.filter += m->filter_all;
+		t.c.transmit += m->transmit_all;
+	}
+	return t;
+}
+
+/* detail: 0 is the whole picture, 1 half its size ... */
+static struct texel look_between(const struct picture_place *m, struct spot s, double detail)
+{
+	uint32_t level = detail > 0 ? (uint32_t)detail : 0;
+	double share = detail - level;
+	struct texel t = { .index = 0 }, a, b;
+
+	if (level >= m->mip->count)
+		return look_small(m, m->mip->count - 1, s);
+	b = look_small(m, level, s);
+	a = level ? look_small(m, level - 1, s) : look(m, s);
+	add(&t, &a, 1 - share);
+	add(&t, &b, share);
+	return t;
+}
+
+/* Pixels of the picture along an axis of the footprint: a difference over a small part of it, so that it does
+ * not reach over a seam. */
+static struct spot along(const struct picture_place *m, vec p, vec axis, struct spot s)
+{
+	const double part = 1.0 / 64, width = m->picture->width, height = m->picture->height;
+	struct spot end;
+
+	if (!map(m, vec_mad(p, axis, part), &end))
+		return (struct spot){ 0, 0 };
+	end.x -= s.x;
+	end.y -= s.y;
+	end.x -= width * round(end.x / width);
+	end.y -= height * round(end.y / height);
+	return (struct spot){ end.x / part, end.y / part };
+}
+
+/* Several looks along the longer axis, each as wide as the shorter (Feline: McCormack et al. 1999). */
+static struct texel look_over(const struct picture_place *m, vec p, struct spot s, const struct footprint *foot)
+{
+	struct spot a = along(m, p, foot->axis[0], s), b = along(m, p, foot->axis[1], s), d;
+	double major = hypot(a.x, a.y), minor = hypot(b.x, b.y), detail;
+	struct texel sum = { .index = 0 }, t;
+	uint32_t looks;
+
+	if (major < minor) {
+		double swap = major;
+
+		major = minor;
+		minor = swap;
+		a = b;
+	}
+	minor = fmax(minor, fmax(major / LOOKS_MAX, 1));
+	if (!(major > 1) || !isfinite(major))
+		return look(m, s);
+	looks = (uint32_t)ceil(major / minor - 1e-6);
+	detail = log2(minor);
+	for (uint32_t i = 0; i < looks; i++) {
+		double at = (i + 0.5) / looks - 0.5;
+
+		d.x = wrap(s.x + at * a.x, m->picture->width);
+		d.y = wrap(s.y + at * a.y, m->picture->height);
+		if (m->once) {
+			d.x = fmax(0, fmin(s.x + at * a.x, m->picture->width - NUDGE));
+			d.y = fmax(0, fmin(s.y + at * a.y, m->picture->height - NUDGE));
+		}
+		t = look_between(m, d, detail);
+		add(&sum, &t, 1.0 / looks);
+	}
+	return sum;
+}
+
+static struct texel see(const struct picture_place *m, vec p, struct spot s, const struct footprint *foot)
+{
+	return foot && m->mip && m->mip->count ? look_over(m, p, s, foot) : look(m, s);
+}
+
+struct rgbft image_colour(const struct picture_place *m, vec p, const struct footprint *foot)
 {
 	struct spot s;
 	struct rgbft c;
@@ -297,7 +437,7 @@ struct rgbft image_colour(const struct picture_place *m, vec p)
 
 	if (!map(m, p, &s))
 		return (struct rgbft){ 1, 1, 1, 0, 1 };
-	c = look(m, s).c;
+	c = see(m, p, s, foot).c;
 	if (!m->premultiplied)
 		return c;
 	alpha = 1 - c.transmit; /* transmit all counts, filter does not: measured */
@@ -309,7 +449,7 @@ struct rgbft image_colour(const struct picture_place *m, vec p)
 	return c;
 }
 
-double image_value(const struct picture_place *m, vec p)
+double image_value(const struct picture_place *m, vec p, const struct footprint *foot)
 {
 	struct spot s;
 	struct texel t;
@@ -317,7 +457,7 @@ double image_value(const struct picture_place *m, vec p)
 
 	if (!map(m, p, &s))
 		return 0;
-	t = look(m, s);
+	t = see(m, p, s, foot);
 	/* use_index changes nothing here, in POV-Ray neither. */
 	if (m->use == PICTURE_ALPHA)
 		v = m->picture->palette_count || !(m->picture->channels & 1) ? t.c.transmit : t.c.r;
@@ -379,7 +519,7 @@ vec image_bump(const struct picture_place *m, vec p, double size, vec n)
 double picture_value(const struct scene *s, const struct pattern *q, const struct pattern_point *at)
 {
 	(void)s;
-	return image_value(&q->of.image, at->p);
+	return image_value(&q->of.image, at->p, at->foot);
 }
 
 double picture_material(const struct scene *s, const struct pattern *q, const struct pattern_point *at)
@@ -391,5 +531,5 @@ double picture_material(const struct scene *s, const struct pattern *q, const st
 struct rgbft picture_colour(const struct scene *s, const struct pattern *q, const struct pattern_point *at)
 {
 	(void)s;
-	return image_colour(&q->of.image, at->p);
+	return image_colour(&q->of.image, at->p, at->foot);
 }

@@ -5,7 +5,8 @@ src_libalidade_la_SOURCES += \
 	src/pattern/family.h \
 	src/pattern/fractal.c \
 	src/pattern/function.c src/pattern/function.h \
-	src/pattern/image.c src/pattern/image.h \
+	src/pattern/footprint.h src/pattern/image.c src/pattern/image.h \
+	src/pattern/mip.c src/pattern/mip.h \
 	src/pattern/internal.c \
 	src/pattern/noise.c src/pattern/noise.h \
 	src/pattern/normal.c \

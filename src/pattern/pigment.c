@@ -5,6 +5,7 @@
  * What stands in a map is asked at the point behind the pattern's warps, as POV-Ray does it.
  */
 #include "pattern/family.h"
+#include "pattern/footprint.h"
 
 static struct rgbft add_scaled(struct rgbft a, struct rgbft b, double s)
 {
@@ -36,6 +37,7 @@ struct rgbft pigment_at(const struct scene *s, const struct pigment *pigment,
 	const struct pattern *q = pigment->pattern;
 	const struct map *m = &pigment->map;
 	struct pattern_point inner;
+	struct footprint foot;
 	struct rgbft first;
 	uint32_t a, b;
 	double t;
@@ -43,6 +45,7 @@ struct rgbft pigment_at(const struct scene *s, const struct pigment *pigment,
 	if (!q)
 		return pigment->colour;
 	inner = *at;
+	inner.foot = footprint_within(q, pigment->uv, at, &foot);
 	inner.p = pattern_warp(q, pigment->uv ? vec_make(at->u, at->v, 0) : at->p);
 	if (pattern_brings_colour(q->kind))
 		return pattern_colour(s, q, &inner);
@@ -86,12 +89,15 @@ void texture_visit(const struct scene *s, const struct texture *texture, const s
 	const struct pattern *q = texture->pattern;
 	const struct map *m = &texture->map;
 	struct pattern_point inner = *at;
+	struct footprint foot;
 	struct xform room;
 	uint32_t a, b;
 	double value, t;
 
 	if (texture->uv)
 		inner.p = vec_make(at->u, at->v, 0);
+	inner.foot = q ? footprint_within(q, texture->uv, at, &foot) :
+		     texture->uv ? footprint_at_uv(at, &foot) : at->foot;
 	if (!q) {
 		visit(self, texture, &inner, share);
 		return;

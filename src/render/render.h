@@ -28,6 +28,7 @@ struct render_options {
 	uint32_t aa_n; /* grid: samples a side; pov1: samples a side; pov2: depth of recursion */
 	double aa_threshold; /* pov1, pov2: summed difference of r, g and b after encoding */
 	double aa_gamma; /* pov1, pov2: the encoding to compare in, 2.5 */
+	bool texture_mip; /* pictures' smaller copies are there (pattern/mip.h), and are used */
 	uint32_t blur_samples; /* focal blur: rays a sample; 0: until the picture is good enough */
 	uint32_t tile; /* side in pixels, 0: default */
 	bool alpha; /* the background is transparent as far as its filter and transmit say */

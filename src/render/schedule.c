@@ -310,6 +310,7 @@ enum status render_scene(const struct scene *scene, const struct geometry *geome
 		return st;
 	j.indirect = indirect_options(scene, &j.whole);
 	shader_init(&j.shader, scene, geometry, options->alpha, &j.indirect);
+	j.shader.footprints = options->texture_mip;
 	j.across = (j.whole.crop_width + j.whole.tile - 1) / j.whole.tile;
 	down = (j.whole.crop_height + j.whole.tile - 1) / j.whole.tile;
 	pthread_mutex_init(&j.lock, NULL);

@@ -45,6 +45,27 @@ static bool root_ray(const struct worker *w, const struct wave_root *r, struct n
 	return camera_ray(c, r->x, r->y, width, height, &n->org, &n->dir);
 }
 
+/* The cone of a camera ray is as wide as the way to the next one; focal blur averages anyway. */
+static void root_cone(const struct worker *w, const struct wave_root *r, struct node *n)
+{
+	const struct render_options *o = w->options;
+	double step = o->aa == RENDER_AA_GRID ? 1.0 / o->aa_n : 1;
+	vec org, dir;
+
+	if (!camera_ray(&w->shader->scene->camera, r->x + step, r->y, o->width, o->height, &org, &dir))
+		return;
+	n->spread = vec_length(vec_sub(dir, n->dir));
+	n->width = vec_length(vec_sub(org, n->org));
+	if (camera_has_lens(&w->shader->scene->camera)) { /* the origins are random then */
+		vec from, to;
+
+		if (camera_ray(&w->shader->scene->camera, r->x, r->y, o->width, o->height, &from, &to)) {
+			n->spread = vec_length(vec_sub(dir, to));
+			n->width = vec_length(vec_sub(org, from));
+		}
+	}
+}
+
 bool wave_push(struct worker *w, const struct wave_root *r)
 {
 	struct tree *t = &w->tree;
@@ -66,6 +87,8 @@ bool wave_push(struct worker *w, const struct wave_root *r)
 	} else if (!camera_is_point(&scene->camera)) {
 		n.inside = shade_camera_inside(w->shader, t, n.org);
 	}
+	if (w->shader->footprints && !n.nowhere)
+		root_cone(w, r, &n);
 	*BUF_AT(&t->node, struct node, i) = n;
 	return true;
 }

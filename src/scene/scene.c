@@ -47,6 +47,10 @@ void scene_release(struct scene *s)
 		if (s->picture[i])
 			mem_free(s->picture[i]->sample);
 	}
+	for (struct mip *m = s->mip; m; m = m->next) {
+		for (uint32_t i = 0; i < m->count; i++)
+			mem_free(m->level[i].texel);
+	}
 	mem_free(s->picture);
 	mem_free(s->fog);
 	mem_free(s->light);

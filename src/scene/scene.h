@@ -265,6 +265,7 @@ struct scene {
 	struct interior *interior;
 	uint32_t picture_count, picture_room;
 	struct picture **picture; /* in the arena */
+	struct mip *mip; /* of every way in which a picture is used; in the arena */
 	uint32_t mesh_count, mesh_room;
 	struct mesh *mesh; /* arrays by mem_alloc */
 	uint32_t sweep_count, sweep_room;

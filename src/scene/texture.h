@@ -147,6 +147,20 @@ enum picture_interpolation { /* interpolate, by POV-Ray's numbers */
 	PICTURE_DISTANCE = 4
 };
 
+/* Means of a picture's pixels, in the scene's working space; there are none unless they were asked for. */
+#define MIP_LEVELS 31
+struct mip_level {
+	uint32_t width, height;
+	float *texel; /* [height * width * channels], by mem_alloc; straight, with alpha or filter and transmit */
+};
+struct mip {
+	struct mip *next; /* of the scene's */
+	struct picture_place *of; /* the picture and how its samples become colours */
+	uint32_t channels; /* as the picture's; a palette's have 5 */
+	uint32_t count; /* 0: none were made */
+	struct mip_level level[MIP_LEVELS]; /* the first is half the picture's size */
+};
+
 /* A picture laid on things: which, and how. */
 struct picture_place {
 	const struct picture *picture;
@@ -163,6 +177,7 @@ struct picture_place {
 	double gamma; /* of floats: colour ^ gamma; 0: first along the sRGB curve, then ^ gamma_then */
 	double gamma_then;
 	const struct rgbft *entry; /* a palette's colours: [palette_count] */
+	const struct mip *mip;
 	bool clear; /* some of it lets light through */
 };
 

@@ -26,6 +26,7 @@ struct shader {
 	const struct scene *scene;
 	const struct geometry *geometry;
 	bool alpha;
+	bool footprints; /* textures are told how much of them a ray covers */
 	/* What this scene requires: */
 	bool translucent; /* some texture lets light through: interiors are followed */
 	bool clear_shadows; /* and shadow rays are filtered */

@@ -24,6 +24,7 @@ struct node {
 	vec org, dir; /* dir is unit */
 	double weight; /* share of the pixel that it can still be, for adc_bailout */
 	uint64_t key; /* what its random numbers are made of */
+	double width, spread; /* of its cone where it starts, and by how much it widens a unit; 0: none */
 	double length; /* of its way to what it hit, or infinite; known once it is traced */
 	uint32_t level; /* mirrors and refractions before it */
 	uint32_t bounce; /* diffuse bounces before it: it brings indirect light if not 0 */

@@ -295,6 +295,32 @@ static bool is_clear(const struct draft *d)
 	return m->picture->clear || m->once || m->filter_all != 0 || m->transmit_all != 0;
 }
 
+/* Where smaller copies would be kept, one for each way of making colours of a picture. */
+static bool find_mip(struct pov *p, struct picture_place *m)
+{
+	struct scene *s = pov_scene(p);
+	struct mip *mip;
+
+	for (mip = s->mip; mip; mip = mip->next) {
+		const struct picture_place *o = mip->of;
+
+		if (o->picture == m->picture && o->decode == m->decode && o->gamma == m->gamma &&
+		    o->gamma_then == m->gamma_then && o->premultiplied == m->premultiplied && !m->entry)
+			break;
+	}
+	if (!mip) {
+		mip = arena_zalloc(&s->arena, sizeof(*mip));
+		if (mip)
+			mip->of = (void *)arena_memdup(&s->arena, m, sizeof(*m));
+		if (!mip || !mip->of)
+			return pov_no_memory(p);
+		mip->next = s->mip;
+		s->mip = mip;
+	}
+	m->mip = mip;
+	return true;
+}
+
 bool pov_picture_read(struct pov *p, enum pov_picture_use use, struct picture_place *m, double *bump_size)
 {
 	struct draft d = { .place = m, .use = use, .bump_size = bump_size };
@@ -320,8 +346,10 @@ bool pov_picture_read(struct pov *p, enum pov_picture_use use, struct picture_pl
 		return false;
 	while (!pov_failed(p) && read_word(p, &d))
 		;
-	m->clear = !pov_failed(p) && is_clear(&d);
-	return !pov_failed(p);
+	if (pov_failed(p))
+		return false;
+	m->clear = is_clear(&d);
+	return bump_size ? true : find_mip(p, m); /* heights are never averaged */
 }
 
 bool pov_picture_block(struct pov *p, enum pov_picture_use use, struct picture_place *m, double *bump_size,

@@ -7,7 +7,12 @@
 #define ALIDADE_SHADE_POV_POINT_H
 
 #include "accel/trace.h"
+#include "pattern/footprint.h"
 #include "pattern/pattern.h"
+
+/* What a cone of this width covers of the surface it meets along dir, in *foot; at asks for it then. */
+void texture_footprint(const struct geometry *, const ald_hit *, const struct surface *, double width,
+		       struct pattern_point *at, struct footprint *foot);
 
 /* place: the texture's coordinates to the world. n: turned to the ray, which goes along dir. */
 static inline struct pattern_point texture_point(const struct surface *s, const struct xform *place, vec n, vec dir)

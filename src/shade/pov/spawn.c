@@ -29,6 +29,7 @@ static uint32_t add_node(const struct shader *sh, struct tree *t, const struct m
 	uint32_t level = parent->level + (parent->straight ? 0 : 1), i;
 	uint32_t bounce = parent->bounce, path = parent->path;
 	uint64_t key = rng_child(parent->key, s->slot);
+	double spread = parent->spread, width = parent->width + spread * m->t;
 	bool seen_in_mirror = parent->mirrored || s->kind == NODE_REFLECTED;
 
 	if (!shade_worth(sh, bounce, level, s->weight))
@@ -40,6 +41,8 @@ static uint32_t add_node(const struct shader *sh, struct tree *t, const struct m
 							   .dir = s->dir,
 							   .weight = s->weight,
 							   .key = key,
+							   .width = width,
+							   .spread = spread,
 							   .level = level,
 							   .bounce = bounce,
 							   .path = path,

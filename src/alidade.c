@@ -23,6 +23,7 @@
 #include "base/pool.h"
 #include "image/image.h"
 #include "look/progress.h"
+#include "pattern/mip.h"
 #include "look/require.h"
 #include "look/stats.h"
 #include "read/read.h"
@@ -307,6 +308,8 @@ static enum status run_picture(struct run *run)
 	bool complete;
 
 	st = run_build(run);
+	if (!st && run->settings.render.texture_mip)
+		st = mip_build(run->scene, run->pool, &run->diag);
 	if (st)
 		return st;
 	if (interrupt_asked())

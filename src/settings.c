@@ -16,7 +16,7 @@ enum {
 	KEY_ALPHA = OPTION_LONG_ONLY, KEY_AA, KEY_BITS, KEY_BLUR_SAMPLES, KEY_CAMERA_ONLY, KEY_CLOCK,
 	KEY_CROP, KEY_DRY_RUN, KEY_ERROR_LAYER, KEY_INDIRECT, KEY_INDIRECT_SAMPLES, KEY_LENIENT, KEY_LIMIT,
 	KEY_LIST_ACCELS, KEY_MEMORY, KEY_PRINT_COMPLETION, KEY_PROGRESS, KEY_RANGE, KEY_SEED,
-	KEY_SKIP_EXISTING, KEY_STATS, KEY_TILE, KEY_VERSION
+	KEY_SKIP_EXISTING, KEY_STATS, KEY_TEXTURE_FILTER, KEY_TILE, KEY_VERSION
 };
 
 #define INDIRECT_MAX (1u << 20)
@@ -53,6 +53,10 @@ static const struct option_spec alidade_option[] = {
 	  NULL },
 	{ "seed", KEY_SEED, OPTION_ARG, "N", COMPLETE_NOTHING, NULL,
 	  "take other random numbers; 0 is the default", NULL },
+	{ "texture-filter", KEY_TEXTURE_FILTER, OPTION_ARG, "HOW", COMPLETE_WORDS, "pov mip",
+	  "pictures on things: pov, one place of them a ray, as POV-Ray, or mip, the mean of what a pixel "
+	  "covers; pov is the default",
+	  NULL },
 	{ "bits", KEY_BITS, OPTION_ARG, "N", COMPLETE_WORDS, "8 16 32",
 	  "bits a channel: 8 or 16 for .png and .ppm, 16 or 32 for .exr", NULL },
 	{ "alpha", KEY_ALPHA, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
@@ -469,6 +473,9 @@ static enum status set_option(void *arg, const struct option_spec *o, const char
 		return set_aa(s, o, value, d);
 	case KEY_BLUR_SAMPLES:
 		return set_number(o, value, 1, 65536, &s->render.blur_samples, d);
+	case KEY_TEXTURE_FILTER:
+		s->render.texture_mip = !strcmp(value, "mip");
+		return s->render.texture_mip || !strcmp(value, "pov") ? STATUS_OK : wrong(d, o, value, "pov or mip");
 	case KEY_INDIRECT:
 		return set_indirect(s, o, value, d);
 	case KEY_SEED:
@@ -690,6 +697,8 @@ void settings_describe(const struct settings *s, char *out, size_t size)
 		n += snprintf(out + n, size - (size_t)n, " camera only");
 	if (r->indirect != INDIRECT_EXACT && n >= 0 && (size_t)n < size)
 		n += snprintf(out + n, size - (size_t)n, " indirect off");
+	if (r->texture_mip && n >= 0 && (size_t)n < size)
+		n += snprintf(out + n, size - (size_t)n, " mip");
 	if (r->indirect_samples && n >= 0 && (size_t)n < size)
 		n += snprintf(out + n, size - (size_t)n, " indirect samples %u", r->indirect_samples);
 	if (r->error && n >= 0 && (size_t)n < size)

@@ -235,6 +235,72 @@ void surface_at(const struct geometry *g, const ald_ray *ray, const ald_hit *hit
 	}
 }
 
+/* From the triangle's corners: way = b e1 + c e2, as near as may be. */
+static void mesh_uv_along(const struct mesh *m, const struct xform *place, uint32_t face, vec way, double *u,
+			  double *v)
+{
+	const uint32_t *i = m->index + 3 * (size_t)face, *k = m->uv_index ? m->uv_index + 3 * (size_t)face : i;
+	vec corner[3], e1, e2;
+	double aa, ab, bb, a, b, det;
+	const float *uv[3];
+
+	for (int j = 0; j < 3; j++) {
+		const double *x = m->vertex + 3 * (size_t)i[j];
+
+		corner[j] = vec_make(x[0], x[1], x[2]);
+		uv[j] = m->uv + 2 * (size_t)(m->uv_count == 1 ? 0 : k[j]);
+	}
+	e1 = mat_dir(&place->fwd, vec_sub(corner[1], corner[0]));
+	e2 = mat_dir(&place->fwd, vec_sub(corner[2], corner[0]));
+	aa = vec_dot(e1, e1);
+	ab = vec_dot(e1, e2);
+	bb = vec_dot(e2, e2);
+	det = aa * bb - ab * ab;
+	if (!(det > 0))
+		return;
+	a = (vec_dot(way, e1) * bb - vec_dot(way, e2) * ab) / det;
+	b = (vec_dot(way, e2) * aa - vec_dot(way, e1) * ab) / det;
+	*u = a * (double)(uv[1][0] - uv[0][0]) + b * (double)(uv[2][0] - uv[0][0]);
+	*v = a * (double)(uv[1][1] - uv[0][1]) + b * (double)(uv[2][1] - uv[0][1]);
+}
+
+void surface_uv_along(const struct geometry *g, const ald_hit *hit, const struct surface *s, vec way, double *u,
+		      double *v)
+{
+	const struct prim_level *l = &g->set.level[0];
+	const double part = 1.0 / 64; /* so that a difference does not reach over a seam */
+	const struct prim_leaf *f;
+	const struct mesh *m;
+	uint32_t leaf, face = 0, id = hit->prim;
+
+	*u = *v = 0;
+	if (!g->set.scene->wants_uv)
+		return;
+	if (id >= l->count) {
+		leaf = g->set.unbounded[id - l->count].leaf;
+	} else {
+		leaf = view_leaf(l, id, &face);
+		if (prim_level_id(l, &id) == PRIM_INSTANCE)
+			view_leaf(&g->set.level[l->instance[id].level], hit->sub[0], &face);
+	}
+	f = &g->set.leaf[leaf];
+	if (f->kind != SHAPE_MESH) {
+		prim_uv(&g->set.scene->object[f->object], &f->place, vec_mad(s->p, way, part), hit->part, u, v);
+		*u -= s->u;
+		*v -= s->v;
+		*u = (*u - round(*u)) / part;
+		*v = (*v - round(*v)) / part;
+		return;
+	}
+	m = &g->set.scene->mesh[f->mesh];
+	if (m->lone) {
+		*u = way.x;
+		*v = way.y;
+	} else if (m->uv) {
+		mesh_uv_along(m, &f->place, face, way, u, v);
+	}
+}
+
 double surface_error(const struct geometry *g, const ald_ray *ray, const ald_hit *hit,
 		     const struct surface *s)
 {

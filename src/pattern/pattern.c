@@ -63,7 +63,7 @@ bool pattern_known(enum pattern_kind k)
 
 bool pattern_known_slope(enum pattern_kind k)
 {
-	return k == PATTERN_AVERAGE || k == PATTERN_FACETS || value_of[k];
+	return k == PATTERN_AVERAGE || k == PATTERN_FACETS || k == PATTERN_BUMP_MAP || value_of[k];
 }
 
 double wave_triangle(double x)

@@ -41,6 +41,7 @@ struct looking {
 	struct tree *t;
 	const struct met *m;
 	const struct node *n;
+	const ald_hit *hit;
 };
 
 /* A layer as it is at the point. */
@@ -168,7 +169,9 @@ static void visit(void *self, const struct texture *tex, const struct pattern_po
 static void add_texture(const struct looking *l, const struct surface *s, uint32_t texture,
 			const struct xform *place, double share)
 {
+	double width = l->n->width + l->n->spread * l->m->t;
 	const struct texture *tex;
+	struct footprint foot;
 	struct pattern_point at;
 
 	if (texture == SCENE_NONE) /* nobody gave one: black */
@@ -179,6 +182,8 @@ static void add_texture(const struct looking *l, const struct surface *s, uint32
 		return;
 	}
 	at = texture_point(s, place, l->m->ns, l->n->dir);
+	if (l->sh->footprints && width > 0)
+		texture_footprint(l->sh->geometry, l->hit, s, width, &at, &foot);
 	texture_visit(l->sh->scene, tex, &at, share, visit, (void *)l);
 }
 
@@ -190,7 +195,7 @@ void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald
 	struct surface s;
 	struct met m;
 	bool from_inside;
-	const struct looking l = { sh, t, &m, n };
+	const struct looking l = { sh, t, &m, n, hit };
 
 	if (index == TREE_NONE)
 		return;

@@ -29,6 +29,8 @@ import subprocess
 import sys
 import traceback
 
+import numpy
+
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, 'images'))
 import measure
 import picture
@@ -107,13 +109,18 @@ def alike(figures, rmse, mean):
     return found
 
 
+def allowed(theirs):
+    """Where POV-Ray's colours are no numbers (a mirror's exponent on negative light), ours may be none."""
+    return (0,) if numpy.isfinite(theirs).all() else (0, renderers.NONFINITE)
+
+
 def direct(outcome, text, base):
     """Without indirect light."""
     pov = written(os.path.join(base, 'direct.pov'), RADIOSITY.sub('', text, count=1))
     noisy = RANDOM.search(text) is not None
     aa = 'many' if noisy else None
     theirs = renderers.povray(pov, os.path.join(base, 'direct.exr'), SIZE, aa)
-    renderers.alidade(pov, os.path.join(base, 'direct.pfm'), SIZE, aa=aa, threads=1)
+    renderers.alidade(pov, os.path.join(base, 'direct.pfm'), SIZE, aa=aa, threads=1, good=allowed(theirs))
     ours = picture.read(os.path.join(base, 'direct.pfm'))
     outcome.figures = measure.Figures(ours, theirs)
     if noisy:
@@ -135,6 +142,7 @@ def soundness(text, theirs, base, aa):
     text = re.sub(r'\bambient_light\s+rgb\s*<[^<>]*>', 'ambient_light rgb 0', RADIOSITY.sub('', text, count=1))
     least = renderers.povray(written(os.path.join(base, 'least.pov'), text),
                              os.path.join(base, 'least.exr'), SIZE, aa)
+    theirs = numpy.nan_to_num(theirs, nan=1e9)
     return (picture.encode(theirs) > picture.encode(least) - 2 * measure.LEVEL).all(axis=2)
 
 
@@ -155,9 +163,10 @@ def indirect(outcome, text, base):
         outcome.complaints.append('POV-Ray lost light in %d pixels' % (~sound).sum())
     for method, rmse, mean in (('exact', RMSE, MEAN), ('cache', 1.5 * RMSE, 2 * MEAN)):
         out = os.path.join(base, method + '.pfm')
-        renderers.alidade(pov, out, SIZE, aa=aa, threads=1, more=['--indirect=' + method])
+        renderers.alidade(pov, out, SIZE, aa=aa, threads=1, more=['--indirect=' + method],
+                          good=allowed(theirs))
         ours = picture.read(out)
-        figures = measure.Figures(ours * sound[:, :, None], theirs * sound[:, :, None])
+        figures = measure.Figures(numpy.where(sound[:, :, None], ours, 0), numpy.where(sound[:, :, None], theirs, 0))
         outcome.notes.append('%s: %s' % (method, figures.text()))
         outcome.complaints += ['%s: %s' % (method, c) for c in alike(figures, rmse, mean)]
 

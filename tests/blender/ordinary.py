@@ -117,7 +117,9 @@ def soften(rng):
 
 
 def blur(rng, target):
-    """Depth of field, focused on something."""
+    """Depth of field, focused on something; POV-Ray cannot blur orthographic views."""
+    if bpy.context.scene.camera.data.type != 'PERSP':
+        return
     dof = bpy.context.scene.camera.data.dof
     dof.use_dof = True
     dof.aperture_fstop = rng.uniform(0.3, 1.5)

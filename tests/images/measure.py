@@ -19,6 +19,12 @@ class Figures:
         if ours.shape != theirs.shape:
             raise picture.Unreadable('sizes differ: %dx%d and %dx%d' % (
                 ours.shape[1], ours.shape[0], theirs.shape[1], theirs.shape[0]))
+        # POV-Ray's picture may have pixels that are no numbers: these say nothing.
+        void = (~numpy.isfinite(theirs)).any(axis=2)
+        self.void = int(void.sum())
+        if self.void:
+            ours, theirs = ours.copy(), theirs.copy()
+            ours[void] = theirs[void] = 0
         self.ours, self.theirs = picture.encode(ours), picture.encode(theirs)
         self.error = self.ours - self.theirs
         worst = numpy.abs(self.error).max(axis=2)
@@ -36,6 +42,8 @@ class Figures:
         found = []
         if self.nonfinite:
             found.append('%d pixels are not finite' % self.nonfinite)
+        if self.void > 0.03 * self.missed.size:
+            found.append('%d pixels of POV-Ray\'s are not finite' % self.void)
         if self.within < least:
             found.append('%.3f %% of the pixels are within 1/255, %g %% are wanted' % (self.within, least))
         if abs(self.mean) >= mean:
@@ -43,8 +51,9 @@ class Figures:
         return found
 
     def text(self):
-        return 'within 1/255: %.3f %% (%d not), mean error %+.6f, RMSE %.6f, max %.4f' % (
-            self.within, self.count, self.mean, self.rmse, self.max)
+        void = ', %d of POV-Ray\'s pixels not finite' % self.void if self.void else ''
+        return 'within 1/255: %.3f %% (%d not), mean error %+.6f, RMSE %.6f, max %.4f%s' % (
+            self.within, self.count, self.mean, self.rmse, self.max, void)
 
 
 def _neighbours(shown, itself=True):

@@ -19,25 +19,28 @@ class Failed(Exception):
     pass
 
 
-def _run(command, cwd=None, limit=1800):
+NONFINITE = 6 # Alidade's exit status
+
+
+def _run(command, cwd=None, limit=1800, good=(0,)):
     try:
         done = subprocess.run(command, cwd=cwd, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               stdin=subprocess.DEVNULL, timeout=limit, check=False)
     except subprocess.TimeoutExpired:
         raise Failed('%s took more than %d s' % (' '.join(command), limit)) from None
     text = done.stdout.decode('utf-8', 'replace')
-    if done.returncode != 0:
+    if done.returncode not in good:
         raise Failed('%s: exit status %d\n%s' % (' '.join(command), done.returncode, text[-1500:]))
     return text
 
 
-def alidade(scene, out, size, accel='octree', threads=2, aa=None, crop=None, more=()):
-    """Render a scene to out (.pfm), by the program $ALIDADE names."""
+def alidade(scene, out, size, accel='octree', threads=2, aa=None, crop=None, more=(), good=(0,)):
+    """Render a scene to out (.pfm), by the program $ALIDADE names; good: exit statuses that are none too bad."""
     command = [os.environ['ALIDADE'], '-q', '-a', accel, '-t', str(threads), '-s', '%dx%d' % size,
                '--aa', ALIDADE_AA[aa], '-o', out]
     if crop:
         command.append('--crop=%d,%d,%d,%d' % crop)
-    return _run(command + list(more) + [scene])
+    return _run(command + list(more) + [scene], good=good)
 
 
 def povray(scene, out, size, aa=None, factor=1):

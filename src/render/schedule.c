@@ -17,6 +17,7 @@
 #include "shade/camera.h"
 
 #define TILE 32
+#define SOFT_ROUNDS 32
 #define TILE_MAX 256
 #define AA_MAX 64
 #define AA_DEPTH_MAX 9 /* POV-Ray's own bound */
@@ -291,6 +292,14 @@ static double mean_error(const struct image *out)
 	return sum / (3 * (double)pixels);
 }
 
+/* Where a pixel has many rays, each does its part. */
+static uint32_t soft_rounds(const struct scene *s, const struct render_options *o)
+{
+	if (camera_has_lens(&s->camera) || (o->aa == RENDER_AA_GRID && o->aa_n * o->aa_n >= SOFT_ROUNDS))
+		return 1;
+	return o->aa == RENDER_AA_GRID ? SOFT_ROUNDS / (o->aa_n * o->aa_n) : SOFT_ROUNDS;
+}
+
 enum status render_scene(const struct scene *scene, const struct geometry *geometry,
 			 const struct render_options *options, struct pool *pool, struct mem_book *book,
 			 struct image *out, struct render_counts *counts, struct diag *d)
@@ -311,6 +320,7 @@ enum status render_scene(const struct scene *scene, const struct geometry *geome
 	j.indirect = indirect_options(scene, &j.whole);
 	shader_init(&j.shader, scene, geometry, options->alpha, &j.indirect);
 	j.shader.footprints = options->texture_mip;
+	j.shader.soft_rounds = soft_rounds(scene, &j.whole);
 	j.across = (j.whole.crop_width + j.whole.tile - 1) / j.whole.tile;
 	down = (j.whole.crop_height + j.whole.tile - 1) / j.whole.tile;
 	pthread_mutex_init(&j.lock, NULL);

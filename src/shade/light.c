@@ -112,13 +112,23 @@ static double grid(double i, uint32_t n)
 	return n > 1 ? i / (double)(n - 1) - 0.5 : 0;
 }
 
-vec light_grid_point(const struct light *l, vec axis1, vec axis2, uint32_t u, uint32_t v, uint64_t key)
+/* An additive recurrence of low discrepancy in two dimensions (Roberts, 2018), from a random start. */
+static double jitter(uint64_t key, uint32_t i, uint32_t round)
+{
+	static const double step[] = { 0.7548776662466927, 0.5698402909980532 };
+	double x = rng_unit(rng_child(key, i)) + round * step[i];
+
+	return x - floor(x) - 0.5;
+}
+
+vec light_grid_point(const struct light *l, vec axis1, vec axis2, uint32_t u, uint32_t v, uint64_t key,
+		     uint32_t round)
 {
 	double a = u, b = v;
 
 	if (l->jitter) {
-		a += rng_unit(rng_child(key, 0)) - 0.5;
-		b += rng_unit(rng_child(key, 1)) - 0.5;
+		a += jitter(key, 0, round);
+		b += jitter(key, 1, round);
 	}
 	a = grid(a, l->size1);
 	b = grid(b, l->size2);

@@ -23,7 +23,9 @@ double light_attenuation(const struct light *, vec p, const struct light_ray *);
 /* The axes of the grid as seen from p: the light's own, or with orient turned to face p. */
 void light_axes(const struct light *, vec p, vec *axis1, vec *axis2);
 
-/* Where grid point (u, v) lies from the centre. key: what jitter is drawn from. */
-vec light_grid_point(const struct light *, vec axis1, vec axis2, uint32_t u, uint32_t v, uint64_t key);
+/* Where grid point (u, v) lies from the centre. key: what jitter is drawn from; each round of the same key
+ * has its own, and together they cover the cell evenly. */
+vec light_grid_point(const struct light *, vec axis1, vec axis2, uint32_t u, uint32_t v, uint64_t key,
+		     uint32_t round);
 
 #endif

@@ -21,6 +21,7 @@ void tree_init(struct tree *t, struct mem_book *book)
 	t->layer.size = sizeof(struct lit_layer);
 	t->lit.size = sizeof(struct lit);
 	t->shadow.size = sizeof(struct shadow);
+	t->soft.size = sizeof(struct soft);
 	t->cell.size = sizeof(struct cell);
 	t->asked.size = sizeof(uint32_t);
 	t->ray.size = sizeof(ald_ray);
@@ -32,7 +33,7 @@ void tree_init(struct tree *t, struct mem_book *book)
 void tree_reset_wave(struct tree *t)
 {
 	t->met.count = t->layer.count = t->lit.count = t->shadow.count = 0;
-	t->cell.count = t->asked.count = 0;
+	t->soft.count = t->cell.count = t->asked.count = 0;
 }
 
 void tree_reset(struct tree *t)
@@ -45,7 +46,7 @@ void tree_reset(struct tree *t)
 void tree_release(struct tree *t)
 {
 	struct buf *all[] = { &t->node, &t->part,  &t->mirror, &t->inside, &t->veil, &t->gather, &t->met, &t->layer,
-			      &t->lit, &t->shadow, &t->cell, &t->asked, &t->ray,	   &t->hit, &t->hidden,
+			      &t->lit, &t->shadow, &t->soft, &t->cell, &t->asked, &t->ray,	   &t->hit, &t->hidden,
 			      &t->media.segment, &t->media.span, &t->media.reach, &t->media.sample,
 			      &t->media.slot };
 

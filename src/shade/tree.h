@@ -101,6 +101,14 @@ struct lit {
 	double depth;
 	struct rgb colour; /* arriving, shadows included once they are known */
 	uint32_t grid; /* area lights: the first of its cells in tree.cell, or TREE_NONE */
+	uint32_t soft; /* jittered ones: an index of tree.soft, or TREE_NONE */
+};
+
+/* A jittered area light asked for again and again, each time with other points. */
+struct soft {
+	struct rgb sum, square;
+	uint32_t rounds;
+	uint32_t points; /* asked for, if all brought the same, or 0 */
 };
 
 /* A surface that the current wave met. */
@@ -135,7 +143,7 @@ struct tree {
 	struct mem_book *book;
 	bool no_memory; /* sticky: some push failed */
 	struct buf node, part, mirror, inside, veil, gather; /* until folded */
-	struct buf met, layer, lit, shadow, cell, asked; /* of the current wave */
+	struct buf met, layer, lit, soft, shadow, cell, asked; /* of the current wave */
 	struct buf ray, hit, hidden; /* of the current call to trace */
 	struct {
 		struct buf segment, span, reach, sample, slot;

@@ -74,6 +74,9 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/soft-focus-scaled.pov \
 	tests/features/soft-focus-spherical.pov \
 	tests/features/soft-focus.pov \
+	tests/features/soft-lamp-round.pov \
+	tests/features/soft-lamp-spot.pov \
+	tests/features/soft-lamp.pov \
 	tests/features/solids.pov \
 	tests/features/spot.pov \
 	tests/features/sweeps.pov \
@@ -176,6 +179,9 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/pictures/greyclear.png \
 	tests/features/pictures/greyphoto.jpg \
 	tests/features/pictures/light.exr \
+	tests/features/soft-lamp-round.exr \
+	tests/features/soft-lamp-spot.exr \
+	tests/features/soft-lamp.exr \
 	tests/features/pictures/make.py \
 	tests/features/pictures/old.bmp \
 	tests/features/pictures/old.tga \

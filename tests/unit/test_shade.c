@@ -97,16 +97,16 @@ static void area_grid_spans_its_axes(void **state)
 
 	(void)state;
 	light_axes(&l, vec_make(0, -3, 0), &a, &b);
-	p = light_grid_point(&l, a, b, 0, 0, 1);
+	p = light_grid_point(&l, a, b, 0, 0, 1, 0);
 	NEAR(p.x, -1);
 	NEAR(p.z, 0);
-	p = light_grid_point(&l, a, b, 4, 0, 1);
+	p = light_grid_point(&l, a, b, 4, 0, 1, 0);
 	NEAR(p.x, 1);
 	l.jitter = true;
-	p = light_grid_point(&l, a, b, 2, 0, 1);
+	p = light_grid_point(&l, a, b, 2, 0, 1, 0);
 	assert_true(fabs(p.x) <= 0.25 && p.x != 0);
-	assert_true(p.x == light_grid_point(&l, a, b, 2, 0, 1).x);
-	assert_true(p.x != light_grid_point(&l, a, b, 2, 0, 2).x);
+	assert_true(p.x == light_grid_point(&l, a, b, 2, 0, 1, 0).x);
+	assert_true(p.x != light_grid_point(&l, a, b, 2, 0, 2, 0).x);
 }
 
 static void finish_follows_the_manual(void **state)

@@ -16,6 +16,9 @@
 #include "shade/pov/shadow.h"
 #include "shade/shade.h"
 
+#define SOFT_LEAST 4 /* rounds, where one is not enough */
+#define SOFT_EVEN 20 /* points that all agree are enough */
+#define SOFT_ERROR 0.01 /* of the light */
 #define BESIDE 1e-10 /* cosine below which light passes by a surface, as in POV-Ray */
 
 /* To gathered rays an area light is a point, as in POV-Ray. */
@@ -96,6 +99,15 @@ static uint32_t new_grid(struct tree *t, const struct light *l)
 	return first;
 }
 
+static uint32_t new_soft(struct tree *t)
+{
+	uint32_t i = tree_push(t, &t->soft, 1);
+
+	if (i != TREE_NONE)
+		*BUF_AT(&t->soft, struct soft, i) = (struct soft){ .rounds = 0 };
+	return i;
+}
+
 /* One light at one hit: is it worth asking, and with what colour. */
 static bool ask_light(const struct shader *sh, struct tree *t, uint32_t hit, uint32_t light, bool surface)
 {
@@ -108,7 +120,8 @@ static bool ask_light(const struct shader *sh, struct tree *t, uint32_t hit, uin
 			   .dir = r.dir,
 			   .depth = r.depth,
 			   .colour = rgb_scale(l->colour, a),
-			   .grid = TREE_NONE };
+			   .grid = TREE_NONE,
+			   .soft = TREE_NONE };
 	uint32_t i;
 
 	if (shadow_dark(lit.colour) || (surface && !wanted(t, l, m, r.dir)))
@@ -117,6 +130,8 @@ static bool ask_light(const struct shader *sh, struct tree *t, uint32_t hit, uin
 		lit.grid = new_grid(t, l);
 		if (lit.grid == TREE_NONE)
 			return false;
+		if (surface && l->jitter && l->size1 * l->size2 > 1 && sh->soft_rounds > 1)
+			lit.soft = new_soft(t);
 	}
 	i = tree_push(t, &t->lit, 1);
 	if (i == TREE_NONE)
@@ -165,6 +180,7 @@ struct area {
 	struct lit *lit;
 	vec axis1, axis2;
 	uint64_t key;
+	uint32_t round;
 	bool complete;
 };
 
@@ -182,7 +198,7 @@ static bool area_cell(struct area *a, uint32_t u, uint32_t v, struct rgb *out)
 		return false;
 	r = light_towards(a->l, a->m->p,
 			  light_grid_point(a->l, a->axis1, a->axis2, u, v,
-					   rng_child(a->key, u * a->l->size2 + v)));
+					   rng_child(a->key, u * a->l->size2 + v), a->round));
 	i = tree_push(a->t, &a->t->asked, 1);
 	if (i == TREE_NONE)
 		return false;
@@ -224,6 +240,67 @@ static struct rgb area_part(struct area *a, uint32_t u1, uint32_t v1, uint32_t u
 	return rgb_scale(rgb_add(rgb_add(rgb_add(c[0], c[1]), c[2]), c[3]), 0.25);
 }
 
+/* How many points of the grid were asked for, if all brought this; or 0. */
+static uint32_t even(const struct area *a, struct rgb colour)
+{
+	const struct cell *c = BUF_AT(&a->t->cell, struct cell, a->lit->grid);
+	uint32_t n = 0;
+
+	for (uint32_t i = 0; i < a->l->size1 * a->l->size2; i++) {
+		if (c[i].known && distance(c[i].colour, colour) > 1e-6)
+			return 0;
+		n += c[i].known;
+	}
+	return n;
+}
+
+/* The standard error of one channel's mean. */
+static double soft_error(double sum, double square, double n)
+{
+	double mean = sum / n;
+
+	return sqrt(fmax(0, square / n - mean * mean) / (n - 1));
+}
+
+/*
+ * POV-Ray asks a jittered grid once, and leaves noise. Here its mean over all jitters is sought: the grid is
+ * asked again until the mean's standard error, for independent rounds, is small; theirs are not, and do
+ * better.
+ */
+static bool soft_enough(const struct shader *sh, const struct area *a, const struct soft *s)
+{
+	double n = s->rounds, e, full = rgb_max(a->l->colour);
+
+	if (s->rounds >= sh->soft_rounds)
+		return true;
+	if (s->points)
+		return s->points >= SOFT_EVEN;
+	e = fmax(soft_error(s->sum.r, s->square.r, n), soft_error(s->sum.g, s->square.g, n));
+	e = fmax(e, soft_error(s->sum.b, s->square.b, n));
+	return s->rounds >= SOFT_LEAST && e * a->n->weight <= SOFT_ERROR * full;
+}
+
+/* One more round of the light is known: c becomes the mean if it is enough, or all cells are unknown anew. */
+static bool soft_round(const struct shader *sh, const struct area *a, struct rgb *c)
+{
+	struct soft *s = BUF_AT(&a->t->soft, struct soft, a->lit->soft);
+	struct cell *cell = BUF_AT(&a->t->cell, struct cell, a->lit->grid);
+	uint32_t points;
+
+	s->sum = rgb_add(s->sum, *c);
+	s->square = rgb_add(s->square, rgb_mul(*c, *c));
+	points = even(a, rgb_scale(s->sum, 1.0 / (s->rounds + 1)));
+	s->points = points && (s->points || !s->rounds) ? s->points + points : 0;
+	s->rounds++;
+	if (soft_enough(sh, a, s)) {
+		*c = rgb_scale(s->sum, 1.0 / s->rounds);
+		return true;
+	}
+	for (uint32_t i = 0; i < a->l->size1 * a->l->size2; i++)
+		cell[i] = (struct cell){ .known = false };
+	return false;
+}
+
 static void area_round(const struct shader *sh, struct tree *t, struct lit *lit, bool *complete)
 {
 	struct area a = { .t = t, .l = &sh->scene->light[lit->light], .lit = lit, .complete = true };
@@ -233,8 +310,10 @@ static void area_round(const struct shader *sh, struct tree *t, struct lit *lit,
 	a.n = BUF_AT(&t->node, struct node, a.m->node);
 	a.key = rng_child(a.n->key, 0x100000000u + lit->light);
 	light_axes(a.l, a.m->p, &a.axis1, &a.axis2);
+	if (lit->soft != TREE_NONE)
+		a.round = BUF_AT(&t->soft, struct soft, lit->soft)->rounds;
 	c = area_part(&a, 0, 0, a.l->size1 - 1, a.l->size2 - 1, 0);
-	if (a.complete) {
+	if (a.complete && (lit->soft == TREE_NONE || soft_round(sh, &a, &c))) {
 		lit->colour = c;
 		lit->grid = TREE_NONE;
 	} else {
@@ -306,7 +385,7 @@ static void fall_spread(struct tree *t, const struct met *m, const struct light 
 	for (uint32_t v = 0; v < l->size2; v++) {
 		for (uint32_t u = 0; u < l->size1; u++) {
 			vec shift = light_grid_point(l, axis1, axis2, u, v,
-						     rng_child(key, u * l->size2 + v));
+						     rng_child(key, u * l->size2 + v), 0);
 			struct light_ray r = light_towards(l, m->p, shift);
 
 			fall(t, m, l, r.dir, eye, rgb_scale(each, light_attenuation(l, m->p, &r)));

@@ -20,7 +20,7 @@ enum {
 };
 
 #define INDIRECT_MAX (1u << 20)
-#define INDIRECT_WORDS "exact off"
+#define INDIRECT_WORDS "exact cache off"
 #define AA_WORDS "none 2 3 4 pov1 pov2"
 /* A test holds these against read_limit_table. */
 #define LIMIT_WORDS \
@@ -43,8 +43,8 @@ static const struct option_spec alidade_option[] = {
 	{ "blur-samples", KEY_BLUR_SAMPLES, OPTION_ARG, "N", COMPLETE_NOTHING, NULL,
 	  "focal blur: N rays a sample; otherwise as many as a good picture takes", NULL },
 	{ "indirect", KEY_INDIRECT, OPTION_ARG, "METHOD", COMPLETE_WORDS, INDIRECT_WORDS,
-	  "indirect light of scenes with a radiosity block: exact, as its samples converge, or off; exact is "
-	  "the default",
+	  "indirect light of scenes with a radiosity block: exact; cache, faster and a little off; or off; exact "
+	  "is the default",
 	  NULL },
 	{ "indirect-samples", KEY_INDIRECT_SAMPLES, OPTION_ARG, "N", COMPLETE_WORDS, "32 128 512 2048",
 	  "rays of indirect light a pixel, about; more make less noise; 512 is the default", NULL },
@@ -276,10 +276,12 @@ static enum status set_indirect(struct settings *s, const struct option_spec *o,
 {
 	if (!strcmp(value, "exact"))
 		s->render.indirect = INDIRECT_EXACT;
+	else if (!strcmp(value, "cache"))
+		s->render.indirect = INDIRECT_CACHE;
 	else if (!strcmp(value, "off"))
 		s->render.indirect = INDIRECT_OFF;
 	else
-		return wrong(d, o, value, "exact or off");
+		return wrong(d, o, value, "exact, cache or off");
 	return STATUS_OK;
 }
 

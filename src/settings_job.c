@@ -141,6 +141,9 @@ enum status settings_finish(struct settings *s, const struct read_job *job, stru
 		st = name_after(s, s->scene, ".png", d);
 	if (st)
 		return st;
+	if (r->error && r->indirect == INDIRECT_CACHE)
+		return diag_fail(d, STATUS_USAGE, NULL,
+				 "--error-layer does not know how far --indirect=cache is off");
 	if (r->error && !ends_in(s->output, ".exr"))
 		return diag_fail(d, STATUS_USAGE, NULL, "--error-layer needs a picture in .exr, not %s", s->output);
 	if (r->crop_width && (r->crop_x >= r->width || r->crop_width > r->width - r->crop_x ||
@@ -170,7 +173,8 @@ void settings_describe(const struct settings *s, char *out, size_t size)
 	if (r->camera_only && n >= 0 && (size_t)n < size)
 		n += snprintf(out + n, size - (size_t)n, " camera only");
 	if (r->indirect != INDIRECT_EXACT && n >= 0 && (size_t)n < size)
-		n += snprintf(out + n, size - (size_t)n, " indirect off");
+		n += snprintf(out + n, size - (size_t)n, " indirect %s",
+			      r->indirect == INDIRECT_CACHE ? "cache" : "off");
 	if (r->texture_mip && n >= 0 && (size_t)n < size)
 		n += snprintf(out + n, size - (size_t)n, " mip");
 	if (r->indirect_samples && n >= 0 && (size_t)n < size)

@@ -58,12 +58,15 @@ static void fold_part(const struct tree *t, const struct part *p, struct folded 
 }
 
 /* Paths after the first bounce are part of what its replications tell. */
-static void fold_gathers(const struct radiosity *r, const struct tree *t, struct node *n)
+static void fold_gathers(const struct shader *sh, struct tree *t, struct node *n)
 {
 	for (uint32_t i = 0; i < n->gather_count; i++) {
 		const struct gather *g = BUF_AT(&t->gather, struct gather, n->first_gather + i);
+		const struct radiosity *r = &sh->scene->radiosity;
 		struct rgb variance, light;
 
+		if (g->recorded && g->count)
+			indirect_record(r, &sh->indirect, t, n, i);
 		light = indirect_fold(r, t, g, n->bounce ? NULL : &variance);
 		n->colour = rgb_add(n->colour, rgb_mul(g->factor, light));
 		if (!n->bounce)
@@ -71,7 +74,7 @@ static void fold_gathers(const struct radiosity *r, const struct tree *t, struct
 	}
 }
 
-void fold_nodes(const struct radiosity *r, struct tree *t, uint32_t first, uint32_t count)
+void fold_nodes(const struct shader *sh, struct tree *t, uint32_t first, uint32_t count)
 {
 	for (uint32_t i = first; i < first + count; i++) {
 		struct node *n = BUF_AT(&t->node, struct node, i);
@@ -85,7 +88,7 @@ void fold_nodes(const struct radiosity *r, struct tree *t, uint32_t first, uint3
 			n->variance = rgb_add(n->variance, rgb_scale(f.variance, p->share * p->share));
 			n->transmit += f.transmit * p->share;
 		}
-		fold_gathers(r, t, n);
+		fold_gathers(sh, t, n);
 		if (n->veil) {
 			const struct veil *v = BUF_AT(&t->veil, struct veil, n->veil - 1);
 

@@ -6,9 +6,9 @@
 #ifndef ALIDADE_RENDER_FOLD_H
 #define ALIDADE_RENDER_FOLD_H
 
-#include "shade/tree.h"
+#include "shade/shade.h"
 
 /* Fill in the colour, its variance and transmit of n nodes from first on, whose children's are known. */
-void fold_nodes(const struct radiosity *, struct tree *, uint32_t first, uint32_t n);
+void fold_nodes(const struct shader *, struct tree *, uint32_t first, uint32_t n);
 
 #endif

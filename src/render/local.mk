@@ -1,5 +1,6 @@
 src_libalidade_la_SOURCES += \
 	src/render/aa.c src/render/aa.h \
+	src/render/fill.c src/render/fill.h \
 	src/render/fold.c src/render/fold.h \
 	src/render/lens.c src/render/lens.h \
 	src/render/render.h \

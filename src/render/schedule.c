@@ -13,6 +13,7 @@
 
 #include "film/tone.h"
 #include "render/aa.h"
+#include "render/fill.h"
 #include "render/render.h"
 #include "shade/camera.h"
 
@@ -22,12 +23,14 @@
 #define AA_MAX 64
 #define AA_DEPTH_MAX 9 /* POV-Ray's own bound */
 #define INDIRECT_SAMPLES 512
+#define CACHE_SAMPLES 256 /* of a record */
 #define LENS_RAYS 32 /* of a sample, at least */
 #define ERROR_SETS 16 /* replications a pixel that its error is estimated from */
 
 struct job {
 	struct render_options whole; /* with defaults filled in */
 	struct indirect indirect;
+	struct cache cache; /* of indirect light, INDIRECT_CACHE */
 	struct shader shader;
 	struct worker *worker;
 	struct aa_pixel **pixel; /* a tile of them a thread */
@@ -229,22 +232,29 @@ static double seconds(void)
  * four pixels, and each pixel has four. */
 static struct indirect indirect_options(const struct scene *scene, const struct render_options *o)
 {
-	uint32_t samples = o->indirect_samples ? o->indirect_samples : INDIRECT_SAMPLES, share = 1, sets;
+	const struct camera *c = &scene->camera;
+	struct indirect in = { .method = o->indirect, .samples = o->indirect_samples, .replications = 1 };
+	uint32_t share = 1;
 
+	if (o->indirect == INDIRECT_CACHE) {
+		in.samples = in.samples ? in.samples : CACHE_SAMPLES;
+		if (c->kind == CAMERA_ORTHOGRAPHIC)
+			in.pixel = vec_length(c->right) / o->width;
+		else
+			in.pixel_angle = vec_length(c->right) / vec_length(c->direction) / o->width;
+		return in;
+	}
+	in.samples = in.samples ? in.samples : INDIRECT_SAMPLES;
 	if (o->aa == RENDER_AA_GRID)
 		share = o->aa_n * o->aa_n;
 	else if (o->aa == RENDER_AA_POV2)
 		share = 4;
-	if (camera_has_lens(&scene->camera)) /* its rays tell the error themselves */
-		return (struct indirect){ .method = o->indirect,
-					  .samples = samples > share * LENS_RAYS ? samples / share / LENS_RAYS : 1,
-					  .replications = 1 };
-	sets = (ERROR_SETS + share - 1) / share;
-	if (sets < 2)
-		sets = 2;
-	return (struct indirect){ .method = o->indirect,
-				  .samples = samples > share ? samples / share : 1,
-				  .replications = o->error ? sets : 1 };
+	if (camera_has_lens(c)) /* its rays tell the error themselves */
+		share *= LENS_RAYS;
+	else if (o->error)
+		in.replications = share * 2 < ERROR_SETS ? (ERROR_SETS + share - 1) / share : 2;
+	in.samples = in.samples > share ? in.samples / share : 1;
+	return in;
 }
 
 static void fill_defaults(struct render_options *o)
@@ -300,6 +310,20 @@ static uint32_t soft_rounds(const struct scene *s, const struct render_options *
 	return o->aa == RENDER_AA_GRID ? SOFT_ROUNDS / (o->aa_n * o->aa_n) : SOFT_ROUNDS;
 }
 
+static bool fill(struct job *j, struct pool *pool)
+{
+	if (j->shader.indirect.method != INDIRECT_CACHE || j->whole.camera_only ||
+	    fill_cache(&j->cache, &j->shader, j->worker, pool))
+		return true;
+	for (uint32_t i = 0; i < pool_threads(pool); i++) {
+		if (j->worker[i].stopped)
+			atomic_store(&j->stopped, true);
+	}
+	if (!atomic_load(&j->stopped))
+		atomic_store(&j->no_memory, true);
+	return false;
+}
+
 enum status render_scene(const struct scene *scene, const struct geometry *geometry,
 			 const struct render_options *options, struct pool *pool, struct mem_book *book,
 			 struct image *out, struct render_counts *counts, struct diag *d)
@@ -314,6 +338,7 @@ enum status render_scene(const struct scene *scene, const struct geometry *geome
 	if (st)
 		return st;
 	fill_defaults(&j.whole);
+	cache_init(&j.cache, book);
 	st = make_image(&j, book, d);
 	if (st)
 		return st;
@@ -327,7 +352,8 @@ enum status render_scene(const struct scene *scene, const struct geometry *geome
 	if (!make_workers(&j, threads, book)) {
 		st = diag_no_memory(d, "rendering", 0);
 	} else {
-		pool_run(pool, j.across * down, render_tile, &j);
+		if (fill(&j, pool))
+			pool_run(pool, j.across * down, render_tile, &j);
 		sum_counts(&j, threads);
 		counts->seconds = seconds() - start;
 		counts->error = mean_error(out);
@@ -339,6 +365,7 @@ enum status render_scene(const struct scene *scene, const struct geometry *geome
 			st = STATUS_NONFINITE;
 	}
 	free_workers(&j, threads);
+	cache_release(&j.cache);
 	pthread_mutex_destroy(&j.lock);
 	return st;
 }

@@ -144,6 +144,8 @@ static void follow_batch(struct worker *w, uint32_t first, uint32_t n, uint32_t 
 		struct node *node = BUF_AT(&t->node, struct node, first + i);
 		bool met = hit[i].prim != ALD_NONE;
 
+		node->t = met ? hit[i].t : HUGE_VAL;
+
 		count_rays(w, node, met);
 		node->length = met ? hit[i].t : HUGE_VAL;
 		if (!met)
@@ -187,7 +189,7 @@ static void finish_batch(struct worker *w, struct frame *f)
 {
 	struct tree *t = &w->tree;
 
-	fold_nodes(&w->shader->scene->radiosity, t, f->batch, f->batched);
+	fold_nodes(w->shader, t, f->batch, f->batched);
 	t->node.count = f->node;
 	t->part.count = f->part;
 	t->mirror.count = f->mirror;

@@ -3,33 +3,28 @@
  *
  * Gathering as POV-Ray's radiosity block describes it (manual 3.4.4.3), without its cache: each hit is a
  * sample of its own. What a gathered ray sees was found by reading and by measuring POV-Ray 3.7
- * (tests/features/indirect-*): no highlights, area lights as points, neither fog nor media unless
+ * (the scenes of tests/indirect): no highlights, area lights as points, neither fog nor media unless
  * asked for, mirrors and glass as other rays see them, a level and a weight of its own, and the block's
  * adc_bailout. Whether a hit gathers at all is decided by the first layer that would show enough of
  * it. Light of the far side is what the second value of diffuse takes. An object's importance only decides
  * how many rays are spent on it.
  *
  * Directions come from low-discrepancy sequences, one for each hit and each bounce after it, and are mapped
- * to the hemisphere through the disc of Shirley and Chiu (1997); the frame around a normal is that of
- * Duff et al., Building an Orthonormal Basis, Revisited, JCGT 6(1), 2017.
+ * to the hemisphere through the disc of Shirley and Chiu (1997). With a cache, hits that the camera sees
+ * ask it first; while it is being filled, those that it cannot answer become its records.
  */
 #include "shade/indirect.h"
 
 #include "base/sobol.h"
+#include "shade/cache.h"
+#include "shade/frame.h"
 #include "shade/pov/shadow.h"
 
 #define GATHER_SLOT 0x300000000u /* of a node's random numbers; two for each gather */
 #define TRIES 32
+#define LEAST_PIXELS 2 /* a record's radius */
+#define MOST_PIXELS 64
 #define PI 3.14159265358979323846
-
-static vec around(vec n, double x, double y, double z)
-{
-	double sign = copysign(1, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
-	vec s = { 1 + sign * n.x * n.x * a, sign * b, -sign * n.x };
-	vec t = { b, sign + n.y * n.y * a, -n.y };
-
-	return vec_mad(vec_mad(vec_scale(n, z), s, x), t, y);
-}
 
 static vec hemisphere(vec normal, double u, double v)
 {
@@ -42,7 +37,7 @@ static vec hemisphere(vec normal, double u, double v)
 		r = b;
 		phi = b == 0 ? 0 : PI / 2 - PI / 4 * (a / b);
 	}
-	return around(normal, r * cos(phi), r * sin(phi), sqrt(fmax(0, 1 - r * r)));
+	return frame_around(normal, r * cos(phi), r * sin(phi), sqrt(fmax(0, 1 - r * r)));
 }
 
 vec indirect_direction(vec normal, uint32_t index, uint64_t key)
@@ -136,6 +131,15 @@ static vec above(const struct gather *g, const struct met *m, uint32_t index, ui
 	return vec_dot(dir, raw) > 0 ? dir : indirect_direction(raw, index, key);
 }
 
+/* Strata for a record: Ward's gradients need to know which rays are neighbours. */
+static vec record_direction(const struct shader *sh, const struct gather *g, uint32_t i, uint64_t key)
+{
+	struct cache_grid grid = cache_grid(sh->indirect.samples);
+
+	return cache_direction(&grid, g->normal, i, rng_unit(rng_child(key, 2 * i + 2)),
+			       rng_unit(rng_child(key, 2 * i + 3)));
+}
+
 static void fill_rays(const struct shader *sh, struct tree *t, const struct met *m, const struct gather *g,
 		      uint64_t slot)
 {
@@ -156,10 +160,35 @@ static void fill_rays(const struct shader *sh, struct tree *t, const struct met 
 			key = rng_child(key, i / set);
 		child.path = parent.bounce ? parent.path : i % set;
 		child.key = rng_child(key, 1);
-		child.dir = above(g, m, child.path, key);
+		child.dir = g->recorded ? record_direction(sh, g, i, key) : above(g, m, child.path, key);
 		child.org = shadow_origin(m, child.dir);
 		*BUF_AT(&t->node, struct node, g->first + i) = child;
 	}
+}
+
+/* What the cache knows; and whether what it does not know becomes a record. */
+static void ask_cache(const struct shader *sh, const struct node *n, const struct met *m, struct gather *g)
+{
+	const struct indirect *in = &sh->indirect;
+
+	g->known = cache_find(in->cache, m->p, g->normal, in->filling ? 1 : CACHE_REACH, &g->light);
+	g->recorded = in->filling && !g->known;
+	g->p = m->p;
+	g->pixel = in->pixel + in->pixel_angle * (n->way + m->t);
+}
+
+static uint32_t gather_size(const struct shader *sh, const struct node *n, const struct gather *g)
+{
+	struct cache_grid grid;
+
+	if (g->known)
+		return 0;
+	if (n->bounce)
+		return 1;
+	if (!g->recorded)
+		return ray_count(sh, n, g);
+	grid = cache_grid(sh->indirect.samples);
+	return grid.rows * grid.columns;
 }
 
 void indirect_spawn(const struct shader *sh, struct tree *t, const struct met *m)
@@ -169,7 +198,11 @@ void indirect_spawn(const struct shader *sh, struct tree *t, const struct met *m
 	for (uint32_t i = 0; i < n->gather_count; i++) {
 		struct gather *g = BUF_AT(&t->gather, struct gather, n->first_gather + i);
 
-		g->count = n->bounce ? 1 : ray_count(sh, n, g);
+		if (sh->indirect.cache && !n->bounce)
+			ask_cache(sh, n, m, g);
+		g->count = gather_size(sh, n, g);
+		if (!g->count)
+			continue;
 		g->replications = n->bounce ? 1 : sh->indirect.replications;
 		g->first = tree_push(t, &t->node, g->count);
 		if (g->first == TREE_NONE) {
@@ -204,6 +237,8 @@ struct rgb indirect_fold(const struct radiosity *r, const struct tree *t, const 
 
 	if (variance)
 		*variance = squares;
+	if (g->known)
+		return seen(r, g->light);
 	if (!g->count)
 		return sum;
 	each = g->count / sets;
@@ -223,4 +258,31 @@ struct rgb indirect_fold(const struct radiosity *r, const struct tree *t, const 
 		*variance = rgb_scale(squares, 1.0 / (sets - 1));
 	}
 	return sum;
+}
+
+void indirect_record(const struct radiosity *r, const struct indirect *in, struct tree *t, const struct node *n,
+		     uint32_t slot)
+{
+	const struct gather *g = BUF_AT(&t->gather, struct gather, n->first_gather + slot);
+	struct cache_grid grid = cache_grid(in->samples);
+	struct cache_record *record;
+	struct cache_ray *ray;
+	uint32_t i;
+
+	t->strata.count = 0;
+	i = tree_push(t, &t->record, 1);
+	if (i == TREE_NONE || tree_push(t, &t->strata, g->count) == TREE_NONE)
+		return;
+	ray = t->strata.data;
+	for (uint32_t k = 0; k < g->count; k++) {
+		const struct node *child = BUF_AT(&t->node, struct node, g->first + k);
+
+		/* What is nearer than a tenth of a pixel is as good as that. */
+		ray[k] = (struct cache_ray){ limited(r, child->colour), fmax(child->t, 0.1 * g->pixel) };
+	}
+	record = BUF_AT(&t->record, struct cache_record, i);
+	record->p = g->p;
+	record->n = g->normal;
+	record->key = rng_child(n->key, slot);
+	cache_make(record, &grid, ray, LEAST_PIXELS * g->pixel, MOST_PIXELS * g->pixel);
 }

@@ -30,6 +30,10 @@ void indirect_spawn(const struct shader *, struct tree *, const struct met *);
 struct rgb indirect_fold(const struct radiosity *, const struct tree *, const struct gather *,
 			 struct rgb *variance);
 
+/* Make a record of gather number slot of a node, into t->record. */
+void indirect_record(const struct radiosity *, const struct indirect *, struct tree *, const struct node *,
+		     uint32_t slot);
+
 /* Unit direction number index of a family, cosine-weighted around normal. */
 vec indirect_direction(vec normal, uint32_t index, uint64_t key);
 

@@ -1,5 +1,7 @@
 src_libalidade_la_SOURCES += \
 	src/shade/camera.c src/shade/camera.h \
+	src/shade/cache.c src/shade/cache.h \
+	src/shade/frame.h \
 	src/shade/indirect.c src/shade/indirect.h \
 	src/shade/light.c src/shade/light.h \
 	src/shade/pov/finish.c src/shade/pov/finish.h \

@@ -11,7 +11,8 @@
 
 enum indirect_method {
 	INDIRECT_OFF, /* ambient stands for it */
-	INDIRECT_EXACT /* rays are gathered at every hit */
+	INDIRECT_EXACT, /* rays are gathered at every hit */
+	INDIRECT_CACHE /* at some, and between them light is interpolated */
 };
 
 /* How indirect light is found, of scenes that ask for it. */
@@ -19,6 +20,9 @@ struct indirect {
 	enum indirect_method method;
 	uint32_t samples; /* rays gathered for a pixel, about */
 	uint32_t replications; /* in so many independent sets, at least 1 */
+	const struct cache *cache; /* INDIRECT_CACHE; it is not written while pictures are made */
+	bool filling; /* what the cache cannot answer becomes a record */
+	double pixel, pixel_angle; /* width of a pixel at the camera, and how it grows with the way */
 };
 
 /* What all shading of one picture shares; read-only while rendering. */

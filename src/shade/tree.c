@@ -5,6 +5,8 @@
 
 #include <string.h>
 
+#include "shade/cache.h"
+
 #include "shade/pov/media.h"
 
 void tree_init(struct tree *t, struct mem_book *book)
@@ -27,6 +29,8 @@ void tree_init(struct tree *t, struct mem_book *book)
 	t->ray.size = sizeof(ald_ray);
 	t->hit.size = sizeof(ald_hit);
 	t->hidden.size = sizeof(uint8_t);
+	t->record.size = sizeof(struct cache_record);
+	t->strata.size = sizeof(struct cache_ray);
 	media_sizes(t);
 }
 
@@ -47,6 +51,7 @@ void tree_release(struct tree *t)
 {
 	struct buf *all[] = { &t->node, &t->part,  &t->mirror, &t->inside, &t->veil, &t->gather, &t->met, &t->layer,
 			      &t->lit, &t->shadow, &t->soft, &t->cell, &t->asked, &t->ray,	   &t->hit, &t->hidden,
+			      &t->record, &t->strata,
 			      &t->media.segment, &t->media.span, &t->media.reach, &t->media.sample,
 			      &t->media.slot };
 

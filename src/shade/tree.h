@@ -38,6 +38,8 @@ struct node {
 	bool nowhere; /* no ray at all: the camera sees nothing here */
 	uint32_t first_part, part_count; /* no parts: colour is what it is */
 	uint32_t veil; /* what hangs between its origin and its end: 1 + an index, or 0 */
+	double t; /* how far away its hit is; HUGE_VAL: none */
+	double way; /* length of the rays that led to it from the camera, through mirrors and glass */
 	uint32_t first_gather, gather_count; /* where its hit asks for indirect light */
 	struct rgb colour;
 	struct rgb variance; /* of the colour, as an estimate; 0 without replications */
@@ -52,9 +54,14 @@ struct veil {
 /* Indirect light on one side of a hit, for all its layers together: the mean of what the rays bring. */
 struct gather {
 	struct rgb factor; /* what the layers make of it */
+	struct rgb light; /* if known: the cache's answer */
 	vec normal; /* rays lie around it */
 	bool around_raw; /* normal is the surface's own, not a bent one */
 	uint32_t first, count; /* nodes; count 0: none yet */
+	bool known;
+	bool recorded; /* becomes a record of the cache, at p */
+	vec p;
+	double pixel; /* width of one there, for the record */
 	uint32_t replications; /* of count / replications rays each, independent of each other */
 };
 
@@ -145,6 +152,7 @@ struct tree {
 	struct buf node, part, mirror, inside, veil, gather; /* until folded */
 	struct buf met, layer, lit, soft, shadow, cell, asked; /* of the current wave */
 	struct buf ray, hit, hidden; /* of the current call to trace */
+	struct buf record, strata; /* for the cache of indirect light, while it is filled */
 	struct {
 		struct buf segment, span, reach, sample, slot;
 	} media; /* see pov/media.c */

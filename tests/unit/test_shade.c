@@ -214,7 +214,8 @@ static void interiors_nest_and_overlap(void **state)
 /* A root with one part; a refracted child seen through a filter, a mirrored one with an exponent. */
 static void trees_fold_bottom_up(void **state)
 {
-	const struct radiosity radiosity = { .brightness = 1 };
+	const struct scene scene = { .version = 370 };
+	const struct shader shader = { .scene = &scene };
 	struct mem_book book;
 	struct tree t;
 	struct node *n;
@@ -234,7 +235,7 @@ static void trees_fold_bottom_up(void **state)
 		.mirror_count = 1 };
 	*BUF_AT(&t.mirror, struct mirror, 0) = (struct mirror){ .reflectivity = { 0.8, 0, 0 },
 		.exponent = 0.5, .child = 2 };
-	fold_nodes(&radiosity, &t, 0, 1);
+	fold_nodes(&shader, &t, 0, 1);
 	NEAR(n[0].colour.r, 0.5 * (0.1 + 0.5 * 1 + 0.8 * 0.5));
 	NEAR(n[0].colour.g, 0.5 * (0.2 + 0.5 * 0.5 * 2));
 	NEAR(n[0].colour.b, 0.5 * (0.3 + 0.25 * 4));
@@ -243,7 +244,7 @@ static void trees_fold_bottom_up(void **state)
 	BUF_AT(&t.part, struct part, 0)->total = true; /* not filtered, and hides the background */
 	n[0].colour = rgb_make(0, 0, 0);
 	n[0].transmit = 0;
-	fold_nodes(&radiosity, &t, 0, 1);
+	fold_nodes(&shader, &t, 0, 1);
 	NEAR(n[0].colour.b, 0.5 * (0.3 + 4));
 	NEAR(n[0].transmit, 0);
 	tree_release(&t);

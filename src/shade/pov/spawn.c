@@ -28,6 +28,7 @@ static uint32_t add_node(const struct shader *sh, struct tree *t, const struct m
 	const struct node *parent = BUF_AT(&t->node, struct node, m->node); /* gone after the push */
 	uint32_t level = parent->level + (parent->straight ? 0 : 1), i;
 	uint32_t bounce = parent->bounce, path = parent->path;
+	double way = parent->way + m->t;
 	uint64_t key = rng_child(parent->key, s->slot);
 	double spread = parent->spread, width = parent->width + spread * m->t;
 	bool seen_in_mirror = parent->mirrored || s->kind == NODE_REFLECTED;
@@ -46,6 +47,7 @@ static uint32_t add_node(const struct shader *sh, struct tree *t, const struct m
 							   .level = level,
 							   .bounce = bounce,
 							   .path = path,
+							   .way = way,
 							   .inside = s->inside,
 							   .skip = m->skip,
 							   .kind = s->kind,

@@ -145,7 +145,8 @@ static void add_part(const struct looking *l, const struct texture *tex, const s
 			add_mirror(l, &p, &one, l->n->weight * p.clear, &reflectivity);
 		p.own = rgb_add(p.own, rgb_mul(p.filter, rgb_scale(glow(l->sh, one.finish, rgbft_rgb(one.colour)),
 								   opaque)));
-		add_layer(t, &p, index, &one, opaque);
+		if (l->n->bounce || !l->sh->indirect.filling) /* else nobody looks at it */
+			add_layer(t, &p, index, &one, opaque);
 		if (indirect.wanted)
 			indirect_layer(l->sh, t, l->m, &indirect, one.finish,
 				       rgb_mul(p.filter, rgb_scale(rgbft_rgb(one.colour), opaque)),

@@ -54,7 +54,7 @@ END
 row()
 {
 	printf %b "$1" >data.txt
-	is "reading $1" "$(read_it read.pov)" "$2"
+	is "reading $(printf %s "$1" | tr -d "\\\\")" "$(read_it read.pov)" "$2"
 }
 row '1,2,3' '111|110|'
 row '1,2,3,' '111|110|'

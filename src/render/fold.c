@@ -5,12 +5,13 @@
 
 #include "shade/indirect.h"
 
-/* POV-Ray's reflection exponent changes what a mirror shows (manual 3.4.6.3.6). */
+/* POV-Ray's reflection exponent changes what a mirror shows (manual 3.4.6.3.6). Less than no light, as where
+ * filter and transmit are more than 1 together, has no such power: POV-Ray's pixel is no number then. */
 static struct rgb bend(struct rgb c, double exponent)
 {
 	if (exponent == 1)
 		return c;
-	return rgb_make(pow(c.r, exponent), pow(c.g, exponent), pow(c.b, exponent));
+	return rgb_make(pow(fmax(c.r, 0), exponent), pow(fmax(c.g, 0), exponent), pow(fmax(c.b, 0), exponent));
 }
 
 /* What a part makes of its children, with how sure it is. */

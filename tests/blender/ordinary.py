@@ -12,6 +12,7 @@ import mathutils
 
 import common as c
 import kinds
+import procedural
 
 
 def colour(rng, least=0.05, most=0.9):
@@ -190,4 +191,4 @@ def corner(rng):
     kinds.spheres(rng)
 
 
-KINDS = (hair, metaballs, curves, particles, corner)
+KINDS = (hair, metaballs, curves, particles, corner, procedural.procedural)

@@ -60,6 +60,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/mirror-bailout.pov \
 	tests/features/mirror-exponent.pov \
 	tests/features/mirrors.pov \
+	tests/features/normals-function.pov \
 	tests/features/normals-maps.pov \
 	tests/features/normals-own.pov \
 	tests/features/normals-rays.pov \
@@ -147,6 +148,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/mirror-bailout.exr \
 	tests/features/mirror-exponent.exr \
 	tests/features/mirrors.exr \
+	tests/features/normals-function.exr \
 	tests/features/normals-maps.exr \
 	tests/features/normals-own.exr \
 	tests/features/normals-rays.exr \

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Directives that are no conditions (manual 3.3.2): #declare and #local, #undef, #include, #default,
- * #version, and the text streams.
+ * #version, the text streams, and files, which a scene may not write.
  */
 #include <config.h>
 
@@ -11,23 +11,25 @@
 #include <math.h>
 
 /* From here to hold_end(), a directive at this depth of braces has to wait. */
-bool hold_begin(struct pov *p, int *depth)
+struct hold hold_begin(struct pov *p, const struct source *source)
 {
-	bool hold = p->hold;
+	struct hold before = { p->hold, p->hold_depth, p->hold_source };
 
-	*depth = p->hold_depth;
 	p->hold = true;
 	p->hold_depth = p->depth;
-	return hold;
+	p->hold_source = source;
+	return before;
 }
 
-void hold_end(struct pov *p, bool hold, int depth)
+void hold_end(struct pov *p, struct hold before)
 {
-	p->hold = hold;
-	p->hold_depth = depth;
+	p->hold = before.on;
+	p->hold_depth = before.depth;
+	p->hold_source = before.source;
 }
 
-struct slot *declare_target(struct pov *p, const struct token *name, bool local, uint32_t depth)
+/* Where the value goes. */
+static struct slot *target(struct pov *p, const struct token *name, bool local, uint32_t depth)
 {
 	struct binding *b = name->atom->top;
 
@@ -53,8 +55,8 @@ static void declare(struct pov *p, bool local)
 	struct slot value = { .kind = SLOT_EMPTY }, *to;
 	struct token name;
 	uint32_t depth = scope_depth(p);
-	int old_depth;
-	bool old;
+	const struct source *source = p->source;
+	struct hold before;
 
 	if (!token_raw_name(p))
 		return;
@@ -73,14 +75,14 @@ static void declare(struct pov *p, bool local)
 	if (!pov_expect(p, TOK_EQUALS, "after the identifier") || !pov_nest(p))
 		return;
 	pov_token(p);
-	old = hold_begin(p, &old_depth);
+	before = hold_begin(p, source);
 	if (right_side(p, &value, false)) {
 		pov_accept(p, TOK_SEMICOLON);
-		to = p->failed ? NULL : declare_target(p, &name, local, depth);
+		to = p->failed ? NULL : target(p, &name, local, depth);
 		if (to)
 			*to = value;
 	}
-	hold_end(p, old, old_depth);
+	hold_end(p, before);
 	pov_unnest(p);
 }
 
@@ -111,8 +113,8 @@ static void undef(struct pov *p)
 
 static void set_version(struct pov *p)
 {
-	int old_depth;
-	bool old;
+	const struct source *source = p->source;
+	struct hold before;
 	double v;
 
 	pov_token(p);
@@ -120,10 +122,10 @@ static void set_version(struct pov *p)
 		pov_fail(p, "expected a number after #version, found %s", pov_text(p));
 		return;
 	}
-	old = hold_begin(p, &old_depth);
+	before = hold_begin(p, source);
 	v = expr_float(p);
 	pov_accept(p, TOK_SEMICOLON);
-	hold_end(p, old, old_depth);
+	hold_end(p, before);
 	if (p->failed)
 		return;
 	if (!(v >= 0.1 && v < 100)) {
@@ -172,6 +174,58 @@ static void set_default(struct pov *p)
 	pov_default(p);
 	pov_expect(p, TOK_RIGHT_BRACE, "at the end of #default");
 	pov_unnest(p);
+}
+
+/* With --lenient: (handle, anything, ...) or handle, then "name" and a mode. */
+static void skip_file_operands(struct pov *p, enum pov_token_kind word)
+{
+	struct slot value;
+
+	if (word == TOK_FOPEN || word == TOK_FCLOSE) {
+		token_raw_name(p);
+		p->have = false;
+		if (word == TOK_FOPEN && pov_path(p) && !pov_accept(p, TOK_READ) &&
+		    !pov_accept(p, TOK_WRITE))
+			pov_accept(p, TOK_APPEND);
+		return;
+	}
+	pov_expect(p, TOK_LEFT_PAREN, "");
+	token_raw_name(p);
+	p->have = false;
+	while (!p->failed && pov_token(p) != TOK_RIGHT_PAREN) {
+		if (pov_accept(p, TOK_COMMA))
+			continue;
+		if (pov_token(p) == TOK_NEW_IDENT || p->tok.kind == TOK_UNSET ||
+		    (p->tok.kind >= TOK_SINT16BE && p->tok.kind <= TOK_SINT8) ||
+		    (p->tok.kind >= TOK_UINT16BE && p->tok.kind <= TOK_UINT8))
+			pov_next(p);
+		else
+			right_side(p, &value, false);
+	}
+	pov_expect(p, TOK_RIGHT_PAREN, "");
+}
+
+static void file_directive(struct pov *p, enum pov_token_kind word, struct diag_pos pos)
+{
+	bool ok;
+
+	switch (word) {
+	case TOK_FOPEN:
+		ok = pov_unsupported(p, &pos, "#fopen", "a scene may neither write files nor read data "
+				     "files; compute the values in the scene or #include them");
+		break;
+	case TOK_WRITE:
+		ok = pov_unsupported(p, &pos, "#write", "a scene may not write files");
+		break;
+	case TOK_READ:
+		ok = pov_unsupported(p, &pos, "#read", "declare the values in a file and #include it");
+		break;
+	default:
+		ok = pov_unsupported(p, &pos, "#fclose", NULL);
+		break;
+	}
+	if (ok)
+		skip_file_operands(p, word);
 }
 
 /* A # that no directive follows means nothing, as in POV-Ray. */
@@ -231,17 +285,8 @@ static void carry_out_directive(struct pov *p, enum pov_token_kind word, struct 
 	case TOK_DEBUG: case TOK_WARNING: case TOK_ERROR: case TOK_RENDER: case TOK_STATISTICS:
 		message(p, word, pos);
 		break;
-	case TOK_FOPEN:
-		file_open(p, pos);
-		break;
-	case TOK_FCLOSE:
-		file_close(p, pos);
-		break;
-	case TOK_READ:
-		file_read(p);
-		break;
-	case TOK_WRITE:
-		file_write(p);
+	case TOK_FOPEN: case TOK_FCLOSE: case TOK_READ: case TOK_WRITE:
+		file_directive(p, word, pos);
 		break;
 	default:
 		no_directive(p, &pos);

@@ -130,7 +130,9 @@ static void carry_out(struct pov *p)
 {
 	p->have = false;
 	p->tok.waiting = false;
-	if (p->tok.kind == TOK_HASH)
+	if (p->tok.kind == TOK_END)
+		end_of_source(p);
+	else if (p->tok.kind == TOK_HASH)
 		directive(p);
 	else
 		macro_call(p, p->tok.value.u.macro, p->tok.pos);
@@ -153,6 +155,8 @@ static void fetch(struct pov *p)
 			resolve(p);
 		} else if (p->tok.kind == TOK_HASH) {
 			p->tok.waiting = !p->raw_names;
+		} else if (p->tok.kind == TOK_END && p->hold && p->source == p->hold_source && p->source->below) {
+			p->tok.waiting = true;
 		} else if (p->tok.kind == TOK_END && end_of_source(p)) {
 			continue;
 		}

@@ -46,3 +46,8 @@ Swap(One, Two)
 #macro M2(B) #declare B = B * 10; #end
 Pass(One)
 #debug concat(str(One, 0, 0), "\n")
+#declare B = sphere { 0, 1 }
+#macro Grow(S) #declare S = object { S scale 2 } #local Gone = box { 0, 1 }
+#end
+Grow(B)
+#debug concat(str(defined(Gone), 0, 0), "\n")

@@ -113,7 +113,8 @@ void texture_visit(const struct scene *s, const struct texture *texture, const s
 	if (q->kind == PATTERN_MATERIAL_MAP && value > m->count)
 		value = fmod(value, m->count);
 	map_find(m, value, &a, &b, &t);
-	texture_visit(s, m->entry[a].is.texture, &inner, a == b ? share : share * (1 - t), visit, self);
+	/* The upper entry first, as POV-Ray has it: slope minds. */
 	if (a != b)
 		texture_visit(s, m->entry[b].is.texture, &inner, share * t, visit, self);
+	texture_visit(s, m->entry[a].is.texture, &inner, a == b ? share : share * (1 - t), visit, self);
 }

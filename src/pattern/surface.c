@@ -28,9 +28,8 @@ double surface_slope(const struct scene *s, const struct pattern *q, const struc
 	double x, y, weight = q->of.slope.slope_weight;
 
 	(void)s;
-	/* As POV-Ray has it: the direction of the place, not the place, is subtracted. */
 	if (q->of.slope.point_at)
-		to = vec_sub(to, vec_unit(at->world));
+		to = vec_unit(vec_sub(to, at->world));
 	x = fmax(-1, fmin(1, vec_dot(at->n, to)));
 	x = (asin(x) / PI * 2 + 1) * 0.5;
 	if (q->of.slope.slope_width != 0)

@@ -72,6 +72,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/sky-background.pov \
 	tests/features/sky-legacy.pov \
 	tests/features/sky.pov \
+	tests/features/slope-normals.pov \
 	tests/features/soft-focus-scaled.pov \
 	tests/features/soft-focus-spherical.pov \
 	tests/features/soft-focus.pov \
@@ -160,6 +161,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/sky-background.exr \
 	tests/features/sky-legacy.exr \
 	tests/features/sky.exr \
+	tests/features/slope-normals.exr \
 	tests/features/soft-focus-scaled.exr \
 	tests/features/soft-focus-spherical.exr \
 	tests/features/soft-focus.exr \

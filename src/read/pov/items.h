@@ -28,7 +28,7 @@ struct pov_pigment { /* ITEM_PIGMENT */
 };
 
 struct pov_normal { /* ITEM_NORMAL */
-	struct normal *normal; /* NULL: none */
+	struct normal *normal; /* NULL: none; without a pattern it only says how strong others are */
 	struct pov_lack lack;
 	uint32_t depth;
 };

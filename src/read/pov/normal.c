@@ -38,10 +38,8 @@ static bool finish(struct pov *p, struct pov_normal *out, struct pattern_draft *
 	out->lack = d->lack;
 	pov_lack_add(&out->lack, &d->map.lack);
 	out->depth = d->map.depth;
-	if (n.pattern) {
-		normal_examine(&n);
-		out->normal = pov_copy(p, &n, sizeof(n));
-	}
+	normal_examine(&n);
+	out->normal = pov_copy(p, &n, sizeof(n));
 	return !pov_failed(p);
 }
 

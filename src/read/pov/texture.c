@@ -44,6 +44,11 @@ static bool moves(const struct pigment *pigment)
 	return pigment->pattern && !pigment->uv;
 }
 
+static bool bends(const struct normal *n)
+{
+	return n && n->pattern;
+}
+
 static bool move_layer(struct pov *p, struct pov_layer *l, const struct xform *x)
 {
 	struct normal *n;
@@ -53,7 +58,7 @@ static bool move_layer(struct pov *p, struct pov_layer *l, const struct xform *x
 		if (!l->pigment.pigment.pattern)
 			return false;
 	}
-	if (!l->normal.normal || l->normal.normal->uv || !l->normal.normal->pattern)
+	if (!bends(l->normal.normal) || l->normal.normal->uv)
 		return true;
 	n = pov_copy(p, l->normal.normal, sizeof(*n));
 	if (!n)
@@ -70,7 +75,7 @@ static bool texture_moves(const struct pov_texture *t)
 		return true;
 	for (uint32_t i = 0; i < t->count; i++) {
 		if (moves(&t->layer[i].pigment.pigment) ||
-		    (t->layer[i].normal.normal && !t->layer[i].normal.normal->uv))
+		    (bends(t->layer[i].normal.normal) && !t->layer[i].normal.normal->uv))
 			return true;
 	}
 	return false;
@@ -133,7 +138,7 @@ struct texture *pov_texture_made(struct pov *p, struct pov_texture *from)
 		const struct pov_layer *l = &from->layer[i];
 
 		t->layer[i] = (struct layer){ .pigment = l->pigment.pigment,
-					      .normal = l->normal.normal,
+					      .normal = bends(l->normal.normal) ? l->normal.normal : NULL,
 					      .finish = l->finish.finish };
 	}
 	texture_examine(t);

@@ -42,6 +42,8 @@ struct looking {
 	const struct met *m;
 	const struct node *n;
 	const ald_hit *hit;
+	bool within; /* a texture that is a pattern of textures */
+	vec bent; /* slope and aoi go by the last normal that was bent, be it another layer's: measured */
 };
 
 /* A layer as it is at the point. */
@@ -94,7 +96,17 @@ static void add_layer(struct tree *t, struct part *p, uint32_t part, const struc
 	p->layer_count++;
 }
 
-static struct looked look_at(const struct looking *l, const struct texture *tex, uint32_t layer,
+/* What slope and aoi are told of it stays in the coordinates of the textures around, if a pattern blends or
+ * chooses them: measured. */
+static vec bend(struct looking *l, const struct normal *normal, const struct pattern_point *at)
+{
+	vec n = normal_at(l->sh->scene, normal, at, l->m->ns);
+
+	l->bent = l->within && at->place ? vec_unit(mat_normal(&at->place->fwd, n)) : n;
+	return n;
+}
+
+static struct looked look_at(struct looking *l, const struct texture *tex, uint32_t layer,
 			     const struct pattern_point *at)
 {
 	const struct layer *from = &tex->layer[layer];
@@ -103,18 +115,18 @@ static struct looked look_at(const struct looking *l, const struct texture *tex,
 	if (tex->plain)
 		return to;
 	if (from->normal)
-		to.normal = normal_at(l->sh->scene, from->normal, at, l->m->ns);
+		to.normal = bend(l, from->normal, at);
 	if (from->pigment.pattern) {
 		struct pattern_point bent = *at;
 
-		bent.n = to.normal;
+		bent.n = l->bent;
 		to.colour = pigment_at(l->sh->scene, &from->pigment, &bent);
 	}
 	return to;
 }
 
 /* A texture of layers. */
-static void add_part(const struct looking *l, const struct texture *tex, const struct pattern_point *at,
+static void add_part(struct looking *l, const struct texture *tex, const struct pattern_point *at,
 		     double share)
 {
 	struct tree *t = l->t;
@@ -167,7 +179,7 @@ static void visit(void *self, const struct texture *tex, const struct pattern_po
 }
 
 /* Whatever the texture is made of. */
-static void add_texture(const struct looking *l, const struct surface *s, uint32_t texture,
+static void add_texture(struct looking *l, const struct surface *s, uint32_t texture,
 			const struct xform *place, double share)
 {
 	double width = l->n->width + l->n->spread * l->m->t;
@@ -182,10 +194,11 @@ static void add_texture(const struct looking *l, const struct surface *s, uint32
 		add_part(l, tex, NULL, share);
 		return;
 	}
+	l->within = tex->pattern;
 	at = texture_point(s, place, l->m->ns, l->n->dir);
 	if (l->sh->footprints && width > 0)
 		texture_footprint(l->sh->geometry, l->hit, s, width, &at, &foot);
-	texture_visit(l->sh->scene, tex, &at, share, visit, (void *)l);
+	texture_visit(l->sh->scene, tex, &at, share, visit, l);
 }
 
 void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald_ray *ray,
@@ -196,7 +209,7 @@ void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald
 	struct surface s;
 	struct met m;
 	bool from_inside;
-	const struct looking l = { sh, t, &m, n, hit };
+	struct looking l = { .sh = sh, .t = t, .m = &m, .n = n, .hit = hit };
 
 	if (index == TREE_NONE)
 		return;
@@ -215,6 +228,7 @@ void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald
 			  .first_part = t->part.count,
 			  .first_layer = t->layer.count,
 			  .first_gather = t->gather.count };
+	l.bent = m.ns;
 	if (from_inside && s.interior_texture != SCENE_NONE) {
 		add_texture(&l, &s, s.interior_texture, s.interior_texture_place, 1);
 	} else if (surface_is_even(&s)) {

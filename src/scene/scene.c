@@ -17,6 +17,7 @@ void scene_init(struct scene *s, struct mem_book *book)
 	s->number_of_waves = 10;
 	s->adc_bailout = 1.0 / 255.0;
 	s->ambient_light = rgb_make(1, 1, 1);
+	s->irid_wavelength = rgb_make(0.70, 0.52, 0.48);
 	s->radiosity = (struct radiosity){ .recursion_limit = 2,
 					   .brightness = 1,
 					   .adc_bailout = 0.01,
@@ -406,6 +407,7 @@ uint64_t scene_hash(const struct scene *s)
 	h = HASH(h, s->number_of_waves);
 	h = HASH(h, s->adc_bailout);
 	h = HASH(h, s->ambient_light);
+	h = HASH(h, s->irid_wavelength);
 	h = HASH(h, s->background);
 	if (s->radiosity.given)
 		h = hash_radiosity(h, &s->radiosity);

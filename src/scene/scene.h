@@ -240,6 +240,7 @@ struct scene {
 	double adc_bailout;
 	struct rgb ambient_light;
 	struct rgbft background;
+	struct rgb irid_wavelength; /* of red, green and blue, to a film's thickness */
 	uint32_t noise_generator; /* of patterns that name none: 1, 2, 3, or 0: by the version */
 	uint32_t number_of_waves; /* of ripples and waves, at least 1 */
 	struct radiosity radiosity;

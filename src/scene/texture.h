@@ -292,6 +292,8 @@ struct finish {
 	double metallic;
 	struct rgb reflection_min, reflection_max;
 	double reflection_falloff, reflection_exponent, reflection_metallic;
+	double irid, irid_thickness, irid_turbulence; /* thin film; irid > 0 if any */
+	double crand; /* noise in diffuse light */
 	bool reflection_fresnel;
 	bool conserve_energy;
 };

@@ -273,6 +273,13 @@ static void dump_finish(const struct finish *f, FILE *to)
 	put_word(to, "falloff", f->reflection_falloff);
 	put_word(to, "exponent", f->reflection_exponent);
 	put_word(to, "reflection_metallic", f->reflection_metallic);
+	if (f->irid > 0) {
+		put_word(to, "irid", f->irid);
+		put_word(to, "thickness", f->irid_thickness);
+		put_word(to, "turbulence", f->irid_turbulence);
+	}
+	if (f->crand > 0)
+		put_word(to, "crand", f->crand);
 	fprintf(to, "%s%s\n", f->reflection_fresnel ? " fresnel" : "",
 		f->conserve_energy ? " conserve_energy" : "");
 }

@@ -52,8 +52,11 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/image-types.pov \
 	tests/features/image-uv.pov \
 	tests/features/interior-texture.pov \
+	tests/features/irid-wavelength.pov \
+	tests/features/irid.pov \
 	tests/features/layers.pov \
 	tests/features/legacy-layers.pov \
+	tests/features/looks-like.pov \
 	tests/features/material-map.pov \
 	tests/features/mesh-clear-inside.pov \
 	tests/features/meshes.pov \
@@ -141,8 +144,11 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/image-types.exr \
 	tests/features/image-uv.exr \
 	tests/features/interior-texture.exr \
+	tests/features/irid-wavelength.exr \
+	tests/features/irid.exr \
 	tests/features/layers.exr \
 	tests/features/legacy-layers.exr \
+	tests/features/looks-like.exr \
 	tests/features/material-map.exr \
 	tests/features/mesh-clear-inside.exr \
 	tests/features/meshes.exr \

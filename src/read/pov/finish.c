@@ -109,27 +109,28 @@ static void read_reflection(struct pov *p, struct finish *f)
 	pov_close(p, "reflection");
 }
 
-static void read_irid(struct pov *p, struct draft *d)
+static bool read_irid_word(struct pov *p, struct finish *f)
 {
-	struct pov_lack lack = { 0 };
+	enum pov_token_kind t = pov_token(p);
 
-	pov_lack_note(p, &lack, "irid", "remove irid { } from the finish");
-	if (!pov_open(p))
-		return;
-	if (pov_finite_float(p, "irid") != 0)
-		pov_lack_add(&d->f.lack, &lack);
-	pov_skip_rest(p);
-	pov_close(p, "irid");
+	if (t != TOK_THICKNESS && t != TOK_TURBULENCE)
+		return false;
+	pov_next(p);
+	if (t == TOK_THICKNESS)
+		f->irid_thickness = pov_finite_float(p, "thickness");
+	else
+		f->irid_turbulence = pov_finite_float(p, "turbulence");
+	return true;
 }
 
-static void read_crand(struct pov *p, struct draft *d)
+static void read_irid(struct pov *p, struct finish *f)
 {
-	struct pov_lack lack = { 0 };
-
-	pov_lack_note(p, &lack, "crand", "remove crand from the finish");
-	pov_next(p);
-	if (pov_finite_float(p, "crand") != 0)
-		pov_lack_add(&d->f.lack, &lack);
+	if (!pov_open(p))
+		return;
+	f->irid = pov_finite_float(p, "irid");
+	while (!pov_failed(p) && read_irid_word(p, f))
+		;
+	pov_close(p, "irid");
 }
 
 /* Words of POV-Ray before 3.1, which belong to the interior since. */
@@ -203,10 +204,11 @@ static bool read_other_word(struct pov *p, struct draft *d)
 		d->f.finish.conserve_energy = pov_bool(p, true);
 		return true;
 	case TOK_CRAND:
-		read_crand(p, d);
+		pov_next(p);
+		d->f.finish.crand = pov_finite_float(p, "crand");
 		return true;
 	case TOK_IRID:
-		read_irid(p, d);
+		read_irid(p, &d->f.finish);
 		return true;
 	case TOK_IOR:
 	case TOK_CAUSTICS:

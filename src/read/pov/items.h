@@ -236,6 +236,7 @@ struct pov_texture *pov_texture_over(struct pov *, struct pov_texture *upper, st
 struct pov_texture *pov_default_texture(struct pov *);
 
 struct pov_object *pov_object_new(struct pov *, enum shape_kind, const struct diag_pos *);
+bool pov_object_add(struct pov *, struct pov_object *o, struct pov_object *child);
 /* The texture as the scene's, SCENE_NONE after an error; reports what it lacks. */
 uint32_t pov_use_texture(struct pov *, struct pov_texture *);
 /* Put an object that stands in the scene itself, not in another, into the scene. */

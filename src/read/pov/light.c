@@ -11,6 +11,7 @@
 struct draft {
 	struct light light;
 	vec point_at;
+	struct pov_object *like; /* looks_like: a union that the light moves, or NULL */
 	struct pov_lack lack;
 };
 
@@ -140,6 +141,27 @@ static bool read_area_word(struct pov *p, struct draft *d)
 	return true;
 }
 
+/* It stands at the light's location, without a shadow, and follows the light. */
+static void read_looks_like(struct pov *p, struct draft *d)
+{
+	struct diag_pos at = pov_here(p);
+	struct pov_object *child;
+
+	if (!pov_open(p))
+		return;
+	child = pov_read_object(p);
+	if (!child && !pov_failed(p))
+		pov_fail(p, "looks_like needs an object, not %s", pov_text(p));
+	if (!child || !pov_close(p, "looks_like"))
+		return;
+	d->like = pov_object_new(p, SHAPE_UNION, &at);
+	if (!d->like)
+		return;
+	d->like->object.flags = d->like->given = OBJECT_NO_SHADOW;
+	d->like->object.place = xform_translate(d->light.location);
+	pov_object_add(p, d->like, child);
+}
+
 /* What does nothing without media or photons, and what is not rendered. */
 static bool read_rest(struct pov *p, struct draft *d)
 {
@@ -163,9 +185,8 @@ static bool read_rest(struct pov *p, struct draft *d)
 	case TOK_PHOTONS:
 		break;
 	case TOK_LOOKS_LIKE:
-		pov_lack_note(p, &d->lack, "looks_like",
-			      "put the object beside the light, with no_shadow");
-		break;
+		read_looks_like(p, d);
+		return true;
 	case TOK_PROJECTED_THROUGH:
 		pov_lack_note(p, &d->lack, "projected_through", NULL);
 		break;
@@ -184,6 +205,8 @@ static bool read_modifier(struct pov *p, struct draft *d)
 	if (pov_transform(p, &x)) {
 		transform_light(&d->light, &x.fwd);
 		d->point_at = mat_point(&x.fwd, d->point_at);
+		if (d->like)
+			d->like->object.place = xform_mul(&d->like->object.place, &x);
 		return true;
 	}
 	return read_kind(p, d) || read_cone(p, d) || read_area_word(p, d) || read_rest(p, d);
@@ -218,6 +241,14 @@ static void check_light(struct pov *p, struct draft *d)
 		pov_fail_at(p, &l->pos, "the light's vectors are too large");
 }
 
+/* A light and what it looks like, as one thing. */
+static struct pov_object *beside(struct pov *p, struct pov_object *light, struct pov_object *like)
+{
+	struct pov_object *both = pov_object_new(p, SHAPE_UNION, &light->object.pos);
+
+	return both && pov_object_add(p, both, light) && pov_object_add(p, both, like) ? both : NULL;
+}
+
 struct pov_object *pov_read_light(struct pov *p)
 {
 	struct draft d = { .point_at = { 0, 0, 1 } };
@@ -249,5 +280,7 @@ struct pov_object *pov_read_light(struct pov *p)
 		check_light(p, &d);
 	o->light = pov_copy(p, &d.light, sizeof(d.light));
 	o->lack = d.lack;
-	return o->light && pov_close(p, "light_source") ? o : NULL;
+	if (!o->light || !pov_close(p, "light_source"))
+		return NULL;
+	return d.like ? beside(p, o, d.like) : o;
 }

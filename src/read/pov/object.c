@@ -407,7 +407,7 @@ static void read_modifiers(struct pov *p, struct pov_object *o)
 	}
 }
 
-static bool add_child(struct pov *p, struct pov_object *o, struct pov_object *child)
+bool pov_object_add(struct pov *p, struct pov_object *o, struct pov_object *child)
 {
 	struct pov_child *c = pov_new(p, sizeof(*c));
 
@@ -446,7 +446,7 @@ static struct pov_object *read_children(struct pov *p, struct pov_object *o, enu
 			if (child)
 				invert(child);
 		}
-		if (!child || !add_child(p, o, child))
+		if (!child || !pov_object_add(p, o, child))
 			return NULL;
 		first = first && child->light;
 	}

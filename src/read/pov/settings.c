@@ -123,7 +123,7 @@ static bool read_word(struct pov *p)
 		pov_next(p);
 		s->noise_generator = pov_noise_generator(p);
 		return true;
-	/* For what is not rendered anyway: irid, height fields, text, subsurface. */
+	/* For what is not rendered anyway: height fields, text, subsurface. */
 	case TOK_MAX_INTERSECTIONS:
 	case TOK_MM_PER_UNIT:
 		pov_next(p);
@@ -135,7 +135,7 @@ static bool read_word(struct pov *p)
 		return true;
 	case TOK_IRID_WAVELENGTH:
 		pov_next(p);
-		pov_finite_colour(p, "irid_wavelength");
+		s->irid_wavelength = rgbft_rgb(pov_finite_colour(p, "irid_wavelength"));
 		return true;
 	case TOK_CHARSET:
 		pov_next(p);

@@ -3,6 +3,8 @@
  */
 #include "shade/pov/finish.h"
 
+#include "pattern/random.h"
+
 #define HALF_PI (3.14159265358979323846 / 2)
 
 bool finish_is_mirror(const struct finish *f)
@@ -97,7 +99,7 @@ static struct rgb diffuse(const struct finish *f, const struct finish_light *l, 
 	cosine = fabs(cosine);
 	if (f->brilliance != 1)
 		cosine = pow(cosine, f->brilliance);
-	return rgb_scale(rgb_mul(l->pigment, l->light), cosine * amount * l->opacity);
+	return rgb_scale(rgb_mul(l->pigment, l->light), cosine * amount * l->opacity - f->crand * l->noise);
 }
 
 static double phong(const struct finish *f, const struct finish_light *l)
@@ -137,4 +139,20 @@ struct rgb finish_shade(const struct finish *f, const struct finish_light *l)
 	if (f->metallic > 0)
 		tint = metal_tint(f->metallic, cosine, l->pigment);
 	return rgb_add(out, rgb_scale(rgb_mul(l->light, tint), shine));
+}
+
+/* Light that goes through the film and back interferes with what does not: one cosine a channel, of the
+ * way through the film. Turbulence of fixed octaves varies its thickness. */
+struct rgb finish_irid(const struct scene *s, const struct finish *f, vec to_light, vec eye, vec normal, vec p)
+{
+	const struct pattern any = { .noise = 0 }; /* the scene's */
+	double thickness = f->irid_thickness, phase;
+
+	if (f->irid_turbulence != 0)
+		thickness *= 1 + f->irid_turbulence *
+				 (2 * noise_turbulence(p, pattern_generator(s, &any), 5, 2, 0.5) - 1);
+	phase = 4 * HALF_PI * thickness * (fabs(vec_dot(normal, to_light)) + fabs(vec_dot(normal, eye)));
+	return rgb_make(1 + f->irid * cos(phase / s->irid_wavelength.r),
+			1 + f->irid * cos(phase / s->irid_wavelength.g),
+			1 + f->irid * cos(phase / s->irid_wavelength.b));
 }

@@ -27,8 +27,12 @@ struct finish_light {
 	vec to_light, eye, normal;
 	struct rgb light, pigment;
 	double opacity;
+	double noise; /* 0 to 1, for crand */
 	bool behind, highlights;
 };
 struct rgb finish_shade(const struct finish *, const struct finish_light *);
+
+/* What a thin film makes of light from direction to_light at p. */
+struct rgb finish_irid(const struct scene *, const struct finish *, vec to_light, vec eye, vec normal, vec p);
 
 #endif

@@ -355,7 +355,7 @@ void lights_answer(const struct shader *sh, struct tree *t, uint32_t thread, str
 }
 
 /* Light of one colour and direction on all layers of a hit. */
-static void fall(struct tree *t, const struct met *m, const struct light *l, vec dir, vec eye,
+static void fall(const struct shader *sh, struct tree *t, const struct met *m, const struct light *l, vec dir, vec eye,
 		 struct rgb colour)
 {
 	for (uint32_t i = 0; i < m->layer_count; i++) {
@@ -369,13 +369,22 @@ static void fall(struct tree *t, const struct met *m, const struct light *l, vec
 					  .opacity = layer->opacity,
 					  .highlights = !l->shadowless && !node_of(t, m)->bounce };
 
-		if (falls_on(layer, m, dir, &f.behind))
-			p->own = rgb_add(p->own, rgb_mul(layer->filter, finish_shade(layer->finish, &f)));
+		struct rgb c;
+
+		if (!falls_on(layer, m, dir, &f.behind))
+			continue;
+		if (layer->finish->crand > 0)
+			f.noise = rng_unit(rng_child(rng_child(node_of(t, m)->key, 0x400000000u + i),
+						     (uint64_t)(l - sh->scene->light)));
+		c = finish_shade(layer->finish, &f);
+		if (layer->finish->irid > 0)
+			c = rgb_mul(c, finish_irid(sh->scene, layer->finish, dir, eye, layer->normal, m->p));
+		p->own = rgb_add(p->own, rgb_mul(layer->filter, c));
 	}
 }
 
 /* area_illumination: every point of the grid shines by itself, all with the shadow of the whole. */
-static void fall_spread(struct tree *t, const struct met *m, const struct light *l, vec eye,
+static void fall_spread(const struct shader *sh, struct tree *t, const struct met *m, const struct light *l, vec eye,
 			struct rgb colour, uint64_t key)
 {
 	struct rgb each = rgb_scale(colour, 1.0 / ((double)l->size1 * l->size2));
@@ -388,7 +397,7 @@ static void fall_spread(struct tree *t, const struct met *m, const struct light 
 						     rng_child(key, u * l->size2 + v), 0);
 			struct light_ray r = light_towards(l, m->p, shift);
 
-			fall(t, m, l, r.dir, eye, rgb_scale(each, light_attenuation(l, m->p, &r)));
+			fall(sh, t, m, l, r.dir, eye, rgb_scale(each, light_attenuation(l, m->p, &r)));
 		}
 	}
 }
@@ -413,9 +422,9 @@ void shade_light(const struct shader *sh, struct tree *t, uint32_t thread, struc
 		if (shadow_dark(lit->colour))
 			continue;
 		if (spread(l, n))
-			fall_spread(t, m, l, n->dir, lit->colour,
+			fall_spread(sh, t, m, l, n->dir, lit->colour,
 				    rng_child(n->key, 0x200000000u + lit->light));
 		else
-			fall(t, m, l, lit->dir, n->dir, lit->colour);
+			fall(sh, t, m, l, lit->dir, n->dir, lit->colour);
 	}
 }

@@ -53,12 +53,24 @@ struct looked {
 	vec normal;
 };
 
+/* A film's factor for what a mirror shows: of the light before the reflection's exponent bends it. */
+static struct rgb mirror_irid(const struct looking *l, const struct looked *at)
+{
+	const struct finish *f = at->finish;
+	vec to = vec_mad(l->n->dir, at->normal, -2 * vec_dot(l->n->dir, at->normal));
+	struct rgb c = finish_irid(l->sh->scene, f, to, l->n->dir, at->normal, l->m->p);
+	double e = 1 / f->reflection_exponent;
+
+	return e == 1 ? c : rgb_make(pow(c.r, e), pow(c.g, e), pow(c.b, e));
+}
+
 static void add_mirror(const struct looking *l, struct part *p, const struct looked *at, double weight,
 		       struct rgb *reflectivity)
 {
 	struct tree *t = l->t;
 	const struct finish *f = at->finish;
 	double cosine = -vec_dot(l->n->dir, at->normal), ior = 1;
+	struct rgb strength;
 	uint32_t i;
 
 	if (f->reflection_fresnel)
@@ -69,8 +81,11 @@ static void add_mirror(const struct looking *l, struct part *p, const struct loo
 	i = tree_push(t, &t->mirror, 1);
 	if (i == TREE_NONE)
 		return;
+	strength = *reflectivity;
+	if (f->irid > 0)
+		strength = rgb_mul(strength, mirror_irid(l, at));
 	*BUF_AT(&t->mirror, struct mirror, i) =
-		(struct mirror){ .reflectivity = *reflectivity,
+		(struct mirror){ .reflectivity = strength,
 				 .exponent = 1 / f->reflection_exponent,
 				 .weight = weight * finish_mirror_weight(f, cosine, ior),
 				 .normal = at->normal,

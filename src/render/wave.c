@@ -144,8 +144,6 @@ static void follow_batch(struct worker *w, uint32_t first, uint32_t n, uint32_t 
 		struct node *node = BUF_AT(&t->node, struct node, first + i);
 		bool met = hit[i].prim != ALD_NONE;
 
-		node->t = met ? hit[i].t : HUGE_VAL;
-
 		count_rays(w, node, met);
 		node->length = met ? hit[i].t : HUGE_VAL;
 		if (!met)

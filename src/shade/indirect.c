@@ -20,7 +20,7 @@
 #include "shade/frame.h"
 #include "shade/pov/shadow.h"
 
-#define GATHER_SLOT 0x300000000u /* of a node's random numbers; two for each gather */
+#define GATHER_SLOT 0x500000000u /* of a node's random numbers; two for each gather */
 #define TRIES 32
 #define LEAST_PIXELS 2 /* a record's radius */
 #define MOST_PIXELS 64
@@ -278,7 +278,7 @@ void indirect_record(const struct radiosity *r, const struct indirect *in, struc
 		const struct node *child = BUF_AT(&t->node, struct node, g->first + k);
 
 		/* What is nearer than a tenth of a pixel is as good as that. */
-		ray[k] = (struct cache_ray){ limited(r, child->colour), fmax(child->t, 0.1 * g->pixel) };
+		ray[k] = (struct cache_ray){ limited(r, child->colour), fmax(child->length, 0.1 * g->pixel) };
 	}
 	record = BUF_AT(&t->record, struct cache_record, i);
 	record->p = g->p;

@@ -70,6 +70,12 @@ void shade_spawn(const struct shader *, struct tree *);
 /* How far down the tree, and how faintly, a ray is still traced (max_trace_level, adc_bailout). */
 bool shade_worth(const struct shader *, uint32_t bounce, uint32_t level, double weight);
 
+/* Gathered rays see fog and media only if the radiosity block wants it. */
+static inline bool shade_sees_air(const struct shader *sh, const struct node *n)
+{
+	return !n->bounce || sh->scene->radiosity.media;
+}
+
 /* The share of a pixel below which nothing is followed; the radiosity block has its own. */
 static inline double shade_bailout(const struct shader *sh, uint32_t bounce)
 {

@@ -38,7 +38,6 @@ struct node {
 	bool nowhere; /* no ray at all: the camera sees nothing here */
 	uint32_t first_part, part_count; /* no parts: colour is what it is */
 	uint32_t veil; /* what hangs between its origin and its end: 1 + an index, or 0 */
-	double t; /* how far away its hit is; HUGE_VAL: none */
 	double way; /* length of the rays that led to it from the camera, through mirrors and glass */
 	uint32_t first_gather, gather_count; /* where its hit asks for indirect light */
 	struct rgb colour;
@@ -138,6 +137,7 @@ struct shadow {
 	double depth;
 	uint32_t skip, inside;
 	bool fog; /* takes from it */
+	bool vacuum; /* media take nothing from it */
 	struct rgb colour; /* in: unshadowed; out: what arrives */
 };
 

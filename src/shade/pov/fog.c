@@ -84,7 +84,7 @@ void shade_fog(const struct shader *sh, struct tree *t, uint32_t first, uint32_t
 		const struct node *node = BUF_AT(&t->node, struct node, i);
 		struct rgb clear, glow;
 
-		if (node->nowhere || !inside_hollow(t, node->inside))
+		if (node->nowhere || !shade_sees_air(sh, node) || !inside_hollow(t, node->inside))
 			continue;
 		clear = fog_clear(sh->scene, node->org, node->dir, node->length, &glow);
 		tree_veil(t, i, clear, glow);

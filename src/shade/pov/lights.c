@@ -71,9 +71,10 @@ static double short_of(vec p, const struct light_ray *r)
 	return r->depth - 0x1p-40 * size;
 }
 
-static void ask(struct tree *t, const struct light *l, const struct met *m, const struct node *n,
-		const struct light_ray *r, struct rgb colour)
+static void ask(const struct shader *sh, struct tree *t, const struct light *l, const struct met *m,
+		const struct node *n, const struct light_ray *r, struct rgb colour)
 {
+	bool air = shade_sees_air(sh, n);
 	uint32_t i = tree_push(t, &t->shadow, 1);
 
 	if (i != TREE_NONE)
@@ -83,7 +84,8 @@ static void ask(struct tree *t, const struct light *l, const struct met *m, cons
 					 .depth = short_of(m->p, r),
 					 .skip = m->skip,
 					 .inside = n->inside,
-					 .fog = l->attenuated && !l->no_media,
+					 .fog = l->attenuated && !l->no_media && air,
+					 .vacuum = !air,
 					 .colour = colour };
 }
 
@@ -158,7 +160,7 @@ static void ask_points(const struct shader *sh, struct tree *t, uint32_t thread,
 		struct light_ray r = { lit->dir, lit->depth };
 
 		if (lit->grid == TREE_NONE && !l->shadowless)
-			ask(t, l, m, node_of(t, m), &r, lit->colour);
+			ask(sh, t, l, m, node_of(t, m), &r, lit->colour);
 	}
 	shadow_trace(sh, t, thread, 0, counts);
 	if (t->no_memory)
@@ -173,6 +175,7 @@ static void ask_points(const struct shader *sh, struct tree *t, uint32_t thread,
 
 /* An area light at one hit while its grid is being filled. */
 struct area {
+	const struct shader *sh;
 	struct tree *t;
 	const struct light *l;
 	const struct met *m;
@@ -204,7 +207,7 @@ static bool area_cell(struct area *a, uint32_t u, uint32_t v, struct rgb *out)
 		return false;
 	*BUF_AT(&a->t->asked, uint32_t, i) = index;
 	c->asked = true;
-	ask(a->t, a->l, a->m, a->n, &r, a->lit->colour);
+	ask(a->sh, a->t, a->l, a->m, a->n, &r, a->lit->colour);
 	return false;
 }
 
@@ -303,7 +306,7 @@ static bool soft_round(const struct shader *sh, const struct area *a, struct rgb
 
 static void area_round(const struct shader *sh, struct tree *t, struct lit *lit, bool *complete)
 {
-	struct area a = { .t = t, .l = &sh->scene->light[lit->light], .lit = lit, .complete = true };
+	struct area a = { .sh = sh, .t = t, .l = &sh->scene->light[lit->light], .lit = lit, .complete = true };
 	struct rgb c;
 
 	a.m = BUF_AT(&t->met, struct met, lit->hit);

@@ -626,8 +626,9 @@ static bool begin_segment(const struct shader *sh, const struct tree *t, uint32_
 			       .org = n->org,
 			       .dir = n->dir,
 			       .length = n->length,
-			       .key = rng_child(n->key, 0x300000000u + world) };
-	if (!inside_hollow(t, n->inside))
+			       .key = rng_child(n->bounce ? rng_child(n->key, n->path) : n->key,
+						0x300000000u + world) };
+	if (!shade_sees_air(sh, n) || !inside_hollow(t, n->inside))
 		return false;
 	if (world)
 		add_media(s, sh->scene->media_count, sh->scene->media);

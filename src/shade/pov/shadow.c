@@ -102,7 +102,7 @@ static void cross(const struct shader *sh, struct tree *t, struct shadow *s, con
 
 	surface_at(sh->geometry, r, h, &at);
 	through_fog(sh, t, s, fmax(0, r->tmin), h->t);
-	if (sh->media) {
+	if (sh->media && !s->vacuum) {
 		double from = r->tmin > 0 ? r->tmin : 0;
 
 		s->colour = rgb_mul(s->colour, media_clear(sh, t, s->inside, vec_mad(s->org, s->dir, from),

@@ -86,7 +86,11 @@ check_PROGRAMS += tests/unit/test_shade
 tests_unit_test_shade_SOURCES = tests/unit/test_shade.c
 tests_unit_test_shade_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_shade_LDADD = $(UNIT_LIBS)
-TESTS += tests/unit/test_shade
+check_PROGRAMS += tests/unit/test_indirect
+tests_unit_test_indirect_SOURCES = tests/unit/test_indirect.c
+tests_unit_test_indirect_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_indirect_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_shade tests/unit/test_indirect
 endif
 
 if HAVE_CMOCKA

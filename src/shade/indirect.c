@@ -61,18 +61,20 @@ static bool same(vec a, vec b)
 }
 
 /* The hit's gather around this normal, made if there is none. */
-static uint32_t find_gather(struct tree *t, const struct met *m, vec normal, bool around_raw)
+static uint32_t find_gather(struct tree *t, const struct met *m, vec normal, bool around_raw, bool back)
 {
 	uint32_t i;
 
 	for (i = m->first_gather; i < t->gather.count; i++) {
-		if (same(BUF_AT(&t->gather, struct gather, i)->normal, normal))
+		const struct gather *g = BUF_AT(&t->gather, struct gather, i);
+
+		if (same(g->normal, normal) && g->back == back)
 			return i;
 	}
 	i = tree_push(t, &t->gather, 1);
 	if (i != TREE_NONE)
 		*BUF_AT(&t->gather, struct gather, i) =
-			(struct gather){ .normal = normal, .around_raw = around_raw };
+			(struct gather){ .normal = normal, .around_raw = around_raw, .back = back };
 	return i;
 }
 
@@ -88,7 +90,7 @@ static void add_side(const struct shader *sh, struct tree *t, const struct met *
 			return;
 		if (!sh->scene->radiosity.normal)
 			normal = raw;
-		*gather = find_gather(t, m, normal, same(normal, raw));
+		*gather = find_gather(t, m, normal, same(normal, raw), back);
 		if (*gather == TREE_NONE)
 			return;
 	}
@@ -119,20 +121,19 @@ static uint32_t ray_count(const struct shader *sh, const struct node *n, const s
 }
 
 /* A bent normal may throw rays into the surface; POV-Ray takes other directions then. */
-static vec above(const struct gather *g, const struct met *m, uint32_t index, uint64_t key)
+static vec above(const struct gather *g, const struct met *m, vec dir, uint32_t index, uint64_t key)
 {
-	vec dir = indirect_direction(g->normal, index, key), raw;
+	vec raw = g->back ? vec_neg(m->ns) : m->ns;
 
 	if (g->around_raw)
 		return dir;
-	raw = vec_dot(g->normal, m->ns) < 0 ? vec_neg(m->ns) : m->ns;
 	for (uint64_t i = 0; i < TRIES && vec_dot(dir, raw) <= 0; i++)
 		dir = indirect_direction(g->normal, index, rng_child(key, i));
 	return vec_dot(dir, raw) > 0 ? dir : indirect_direction(raw, index, key);
 }
 
 /* Strata for a record: Ward's gradients need to know which rays are neighbours. */
-static vec record_direction(const struct shader *sh, const struct gather *g, uint32_t i, uint64_t key)
+static vec stratum_direction(const struct shader *sh, const struct gather *g, uint32_t i, uint64_t key)
 {
 	struct cache_grid grid = cache_grid(sh->indirect.samples);
 
@@ -160,7 +161,9 @@ static void fill_rays(const struct shader *sh, struct tree *t, const struct met 
 			key = rng_child(key, i / set);
 		child.path = parent.bounce ? parent.path : i % set;
 		child.key = rng_child(key, 1);
-		child.dir = g->recorded ? record_direction(sh, g, i, key) : above(g, m, child.path, key);
+		child.dir = g->recorded ? stratum_direction(sh, g, i, key) :
+					  indirect_direction(g->normal, child.path, key);
+		child.dir = above(g, m, child.dir, child.path, key);
 		child.org = shadow_origin(m, child.dir);
 		*BUF_AT(&t->node, struct node, g->first + i) = child;
 	}

@@ -56,6 +56,7 @@ struct gather {
 	struct rgb light; /* if known: the cache's answer */
 	vec normal; /* rays lie around it */
 	bool around_raw; /* normal is the surface's own, not a bent one */
+	bool back; /* of the far side */
 	uint32_t first, count; /* nodes; count 0: none yet */
 	bool known;
 	bool recorded; /* becomes a record of the cache, at p */

@@ -45,6 +45,22 @@ bool piece_make(struct prim_piece *q, const struct prim *p, uint32_t body, uint3
 	return true;
 }
 
+/* Does the line surely miss the box? Box and ray are exact, so a slab's ends are off by 3 u of themselves. */
+static bool misses(const ald_box *b, const ald_ray *r)
+{
+	double t0 = -ALD_INF, t1 = ALD_INF;
+
+	for (unsigned k = 0; k < 3; k++) {
+		double d = (&r->dir.x)[k], o = (&r->org.x)[k], inv = 1 / d;
+		double lo = (&b->lo.x)[k] - o, hi = (&b->hi.x)[k] - o;
+
+		t0 = ald_max((signbit(d) ? hi : lo) * inv, t0);
+		t1 = ald_min((signbit(d) ? lo : hi) * inv, t1);
+	}
+	return t0 == ALD_INF || t1 == -ALD_INF || t0 - t1 > 8 * ALD_U * (fabs(t0) + fabs(t1));
+}
+
+/* Pieces are many, and long ones fill little of an accelerator's cells: most are missed by the box. */
 int piece_intersect(const struct prim *p, const struct prim_piece *q, uint32_t id, const ald_ray *r,
 		    ald_hit *hit)
 {
@@ -52,7 +68,7 @@ int piece_intersect(const struct prim *p, const struct prim_piece *q, uint32_t i
 	struct body_root root;
 	struct prim_line l;
 
-	if (!prim_line(p, r, &l))
+	if (misses(&q->box, r) || !prim_line(p, r, &l))
 		return 0;
 	/* Far enough before tmin that rounding there loses nothing. */
 	root.t = r->tmin - l.slide - 64 * ALD_U * (fabs(r->tmin) + fabs(l.slide));

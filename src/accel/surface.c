@@ -105,15 +105,16 @@ static void mesh_surface(const struct scene *sc, const struct prim_leaf *f, uint
 }
 
 /* From an instanced level to level 0; rounding on the way, and on the next ray's way back, included. */
-static void leave_instance(const struct prim_instance *in, struct place *at)
+static void leave_instance(const struct prim_set *set, const struct prim_instance *in, struct place *at)
 {
-	vec off = mat_dir(&in->from, at->p), n = mat_normal(&in->to, at->n);
+	const struct mat from = prim_instance_from(set, in);
+	vec off = mat_dir(&from, at->p), n = mat_normal(&in->to, at->n);
 	double l = vec_length(n), round = 0;
 
 	for (unsigned j = 0; j < 3; j++) {
 		for (unsigned i = 0; i < 3; i++)
 			round += fabs((&off.x)[i] * in->to.m[i][j]) +
-				 fabs((&at->p.x)[i] * in->from.m[i][j]) * l;
+				 fabs((&at->p.x)[i] * from.m[i][j]) * l;
 	}
 	at->p = vec_add(in->centre, off);
 	at->n = vec_scale(n, 1 / l);
@@ -211,7 +212,7 @@ void surface_at(const struct geometry *g, const ald_ray *ray, const ald_hit *hit
 			in = &l->instance[id];
 			view_leaf(&g->set.level[in->level], hit->sub[0], &face);
 			place_triangle(&g->set.level[in->level], hit->sub[0], hit->u, hit->v, &at);
-			leave_instance(in, &at);
+			leave_instance(&g->set, in, &at);
 			mesh = true;
 			break;
 		}

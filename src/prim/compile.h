@@ -39,8 +39,6 @@ struct prim_leaf { /* an object that is no union, with all that it inherits */
 	uint32_t level; /* the instanced mesh's, or 0 */
 	uint32_t node; /* in the set's csg, or SCENE_NONE */
 	bool cut; /* clips others, and shows no surface of its own */
-	bool bounded; /* constructive solid geometry keeps it within clip, in world coordinates */
-	ald_box clip;
 	uint32_t item; /* index among level 0's analytic primitives, its bodies, its instances, or the
 			  unbounded ones; SCENE_NONE: baked mesh, or dropped. In constructive solid
 			  geometry that is the whole solid, whatever of it shows: planes are primitives */
@@ -54,7 +52,7 @@ struct prim_group { /* ids of one leaf that stand together */
 struct prim_instance {
 	uint32_t leaf, level, node;
 	vec centre; /* where the inner level's origin lies in level 0 */
-	struct mat to, from; /* level 0 to inner and back, linear parts */
+	struct mat to; /* level 0 to inner, linear part */
 	ald_box box;
 };
 
@@ -118,6 +116,9 @@ struct prim_set {
 	uint64_t dropped;
 	ald_box world; /* of the finite geometry; empty if there is none */
 };
+
+/* Inner to level 0, linear part. */
+struct mat prim_instance_from(const struct prim_set *, const struct prim_instance *);
 
 /* All memory is booked under "geometry". On failure *out is released. */
 enum status prim_compile(struct prim_set *out, const struct scene *, struct mem_book *, struct diag *);

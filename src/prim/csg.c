@@ -18,7 +18,7 @@ uint32_t csg_add(struct csg *c, struct mem_book *book, enum csg_op op, uint32_t 
 		return SCENE_NONE;
 	c->node.count++;
 	*csg_at(c, i) = (struct csg_node){ op, parent, SCENE_NONE, SCENE_NONE, SCENE_NONE, SCENE_NONE,
-					   everywhere };
+					   everywhere, everywhere };
 	if (parent == SCENE_NONE)
 		return i;
 	up = csg_at(c, parent);

@@ -21,6 +21,7 @@ struct csg_node {
 	uint32_t parent, first, last, next; /* SCENE_NONE: there is none */
 	uint32_t leaf; /* of the set's */
 	ald_box box; /* holds the solid; in world coordinates, later those of level 0; may be infinite */
+	ald_box clip; /* of a leaf: what shows of its surface is in here; in world coordinates */
 };
 
 struct csg {

@@ -321,11 +321,14 @@ static enum status add_body(struct prim_set *s, struct prim_level *l, uint32_t l
 }
 
 /* What other solids leave of a box, in level coordinates and grown as the box is. */
-static void clip_box(const struct prim_leaf *f, const struct prim_level *l, struct prim *p)
+static void clip_box(const struct prim_set *s, const struct prim_leaf *f, const struct prim_level *l,
+		     struct prim *p)
 {
-	for (unsigned k = 0; f->bounded && k < 3; k++) {
+	const ald_box *clip = f->node == SCENE_NONE ? NULL : &csg_at(&s->csg, f->node)->clip;
+
+	for (unsigned k = 0; clip && k < 3; k++) {
 		double shift = (&l->shift.x)[k], mid = (&p->centre.x)[k];
-		double lo = ((&f->clip.lo.x)[k] - shift) * l->scale, hi = ((&f->clip.hi.x)[k] - shift) * l->scale;
+		double lo = ((&clip->lo.x)[k] - shift) * l->scale, hi = ((&clip->hi.x)[k] - shift) * l->scale;
 		double grow = l->pad + 16 * ALD_U * (fabs(lo) + fabs(hi) + fabs(shift) * l->scale) +
 			      prim_map_error(&p->to, &p->from, k, l->size + fabs(mid));
 
@@ -341,10 +344,14 @@ static bool box_is_sound(const ald_box *b)
 }
 
 /* Other solids leave nothing of it. */
-static bool is_cut_off(const struct prim_leaf *f)
+static bool is_cut_off(const struct prim_set *s, const struct prim_leaf *f)
 {
-	return f->node != SCENE_NONE && (f->cut || f->clip.lo.x > f->clip.hi.x || f->clip.lo.y > f->clip.hi.y ||
-					 f->clip.lo.z > f->clip.hi.z);
+	const ald_box *b;
+
+	if (f->node == SCENE_NONE)
+		return false;
+	b = &csg_at(&s->csg, f->node)->clip;
+	return f->cut || b->lo.x > b->hi.x || b->lo.y > b->hi.y || b->lo.z > b->hi.z;
 }
 
 static bool make_solid(const struct prim_set *s, const struct prim_level *l, const struct prim_leaf *f,
@@ -359,11 +366,11 @@ static bool make_solid(const struct prim_set *s, const struct prim_level *l, con
 }
 
 /* Some of its surface shows, within a box. */
-static bool is_visible(const struct prim_leaf *f)
+static bool is_visible(const struct prim_set *s, const struct prim_leaf *f)
 {
 	return f->node == SCENE_NONE ? is_bounded(f->kind) :
 				       (is_bounded(f->kind) || f->kind == SHAPE_PLANE) && !f->cut &&
-					       box_is_sound(&f->clip);
+					       box_is_sound(&csg_at(&s->csg, f->node)->clip);
 }
 
 static void add_prim(struct prim_set *s, struct prim_level *l, uint32_t leaf)
@@ -375,7 +382,7 @@ static void add_prim(struct prim_set *s, struct prim_level *l, uint32_t leaf)
 		s->dropped++;
 		return;
 	}
-	clip_box(f, l, p);
+	clip_box(s, f, l, p);
 	add_group(l, leaf);
 	l->mask[l->count++] = solid_mask(s, f);
 	s->leaf[leaf].item = l->prim_count++;
@@ -394,22 +401,37 @@ static void add_hidden(struct prim_set *s, struct prim_level *l, uint32_t leaf)
 	f->item = l->prim_count + l->hidden_prims++;
 }
 
+struct mat prim_instance_from(const struct prim_set *s, const struct prim_instance *p)
+{
+	double scale = s->level[p->level].scale / s->level[0].scale;
+	struct mat from = s->leaf[p->leaf].place.fwd;
+
+	for (unsigned j = 0; j < 3; j++) {
+		for (unsigned i = 0; i < 3; i++)
+			from.m[i][j] /= scale;
+		from.m[3][j] = 0;
+	}
+	return from;
+}
+
 /* The inner box's corners, mapped, and grown by what mapping a ray can do to it. */
-static void bound_instance(struct prim_instance *p, const struct prim_level *in,
+static void bound_instance(const struct prim_set *s, struct prim_instance *p, const struct prim_level *in,
 			   const struct prim_level *out)
 {
+	const struct mat from = prim_instance_from(s, p);
+
 	p->box = ald_box_empty();
 	for (unsigned i = 0; i < 8; i++) {
 		vec c = { i & 1 ? in->box.hi.x : in->box.lo.x, i & 2 ? in->box.hi.y : in->box.lo.y,
 			  i & 4 ? in->box.hi.z : in->box.lo.z };
-		vec q = vec_add(mat_dir(&p->from, c), p->centre);
+		vec q = vec_add(mat_dir(&from, c), p->centre);
 
 		ald_box_join(&p->box, &(ald_box){ q, q });
 	}
 	for (unsigned k = 0; k < 3; k++) {
 		double lo = (&p->box.lo.x)[k], hi = (&p->box.hi.x)[k];
 		double size = out->size + fabs(lo) + fabs(hi);
-		double grow = out->pad + prim_map_error(&p->to, &p->from, k, size) + 8 * ALD_U * size;
+		double grow = out->pad + prim_map_error(&p->to, &from, k, size) + 8 * ALD_U * size;
 
 		(&p->box.lo.x)[k] = lo - grow;
 		(&p->box.hi.x)[k] = hi + grow;
@@ -430,12 +452,10 @@ static void add_instance(struct prim_set *s, struct prim_level *l, uint32_t leaf
 	*p = (struct prim_instance){ .leaf = leaf, .level = f->level, .node = f->node };
 	p->centre = prim_level_point(l, mat_point(&f->place.fwd, in->shift));
 	for (unsigned i = 0; i < 3; i++) {
-		for (unsigned j = 0; j < 3; j++) {
+		for (unsigned j = 0; j < 3; j++)
 			p->to.m[i][j] = f->place.inv.m[i][j] * scale;
-			p->from.m[i][j] = f->place.fwd.m[i][j] / scale;
-		}
 	}
-	bound_instance(p, in, l);
+	bound_instance(s, p, in, l);
 	if (!vec_finite(p->box.lo) || !vec_finite(p->box.hi)) {
 		s->dropped += in->count;
 		return;
@@ -519,9 +539,9 @@ static enum status add_solids(struct prim_set *s, struct prim_level *l, struct d
 	enum status st = STATUS_OK;
 
 	for (uint32_t i = 0; i < s->leaf_count; i++) {
-		if (is_visible(&s->leaf[i]))
+		if (is_visible(s, &s->leaf[i]))
 			add_prim(s, l, i);
-		else if (s->leaf[i].kind == SHAPE_PLANE && !is_cut_off(&s->leaf[i]))
+		else if (s->leaf[i].kind == SHAPE_PLANE && !is_cut_off(s, &s->leaf[i]))
 			add_plane(s, l, i);
 	}
 	for (uint32_t i = 0; i < s->leaf_count && s->csg.node.count; i++) {
@@ -529,7 +549,7 @@ static enum status add_solids(struct prim_set *s, struct prim_level *l, struct d
 		bool open = f->kind == SHAPE_CONE && s->scene->object[f->object].shape.cone.open;
 
 		if (f->node != SCENE_NONE && (is_bounded(f->kind) || f->kind == SHAPE_PLANE) &&
-		    (open || !is_visible(f)))
+		    (open || !is_visible(s, f)))
 			add_hidden(s, l, i);
 	}
 	for (uint32_t i = 0; i < s->leaf_count && !st; i++) {
@@ -549,25 +569,24 @@ static enum status add_solids(struct prim_set *s, struct prim_level *l, struct d
 static void bound_csg(struct prim_set *s)
 {
 	for (uint32_t i = 0; i < s->leaf_count; i++) {
-		struct prim_leaf *f = &s->leaf[i];
+		const struct prim_leaf *f = &s->leaf[i];
 		ald_box own = ald_box_empty();
+		struct csg_node *n;
 
 		if (f->node == SCENE_NONE)
 			continue;
-		f->clip = csg_at(&s->csg, f->node)->box;
+		n = csg_at(&s->csg, f->node);
 		if (leaf_box(s, f, &own))
-			f->clip = own;
+			n->clip = own;
 		if (!(f->flags & OBJECT_INVERSE) && f->kind != SHAPE_DISC)
-			csg_at(&s->csg, f->node)->box = f->clip;
+			n->box = n->clip;
 	}
 	csg_join_boxes(&s->csg);
-	for (uint32_t i = 0; i < s->leaf_count; i++) {
-		struct prim_leaf *f = &s->leaf[i];
+	for (uint32_t i = 0; i < s->csg.node.count; i++) {
+		struct csg_node *n = csg_at(&s->csg, i);
 
-		if (f->node == SCENE_NONE)
-			continue;
-		f->bounded = true;
-		f->clip = csg_clip(&s->csg, f->node, f->clip);
+		if (n->op == CSG_LEAF)
+			n->clip = csg_clip(&s->csg, i, n->clip);
 	}
 }
 
@@ -576,8 +595,8 @@ static void join_leaf(struct prim_set *s, const struct prim_leaf *f)
 {
 	if (f->node == SCENE_NONE)
 		leaf_box(s, f, &s->world);
-	else if (!f->cut && box_is_sound(&f->clip))
-		ald_box_join(&s->world, &f->clip);
+	else if (!f->cut && box_is_sound(&csg_at(&s->csg, f->node)->clip))
+		ald_box_join(&s->world, &csg_at(&s->csg, f->node)->clip);
 }
 
 /* From world coordinates to the level's, grown as for a primitive. */

@@ -334,6 +334,17 @@ static void top_known(struct pov *p, const struct known *k)
 		pov_lack_use(p, &other->lack);
 }
 
+/* Nobody refers to what a block at the top level was read into: the next one may have its memory. */
+static void top_object(struct pov *p)
+{
+	bool own = pov_token(p) != TOK_IDENT;
+	struct pov_object *o = pov_read_object(p);
+
+	pov_use_object(p, o);
+	if (o && own && !o->light)
+		pov_state(p)->spare = o;
+}
+
 bool pov_top_item(struct pov *p)
 {
 	const struct known *k;
@@ -364,7 +375,7 @@ bool pov_top_item(struct pov *p)
 	default:
 		if (!pov_starts_object(p))
 			return false;
-		pov_use_object(p, pov_read_object(p));
+		top_object(p);
 		return true;
 	}
 }

@@ -157,6 +157,7 @@ struct pov_state {
 	struct pov_decode *decodes;
 	uint64_t picture_bytes;
 	uint64_t objects, object_limit; /* put into the scene */
+	struct pov_object *spare; /* memory for the next one; NULL: none */
 };
 
 /* Blocks. pov_open: the current token is a block's keyword: pass it and its {. pov_close: pass the }. */

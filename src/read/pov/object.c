@@ -7,13 +7,20 @@
 
 #include "read/pov/items.h"
 
+#include <string.h>
+
 
 #define TINY 1e-10 /* what POV-Ray takes for 0 */
 
 struct pov_object *pov_object_new(struct pov *p, enum shape_kind kind, const struct diag_pos *at)
 {
-	struct pov_object *o = pov_new(p, sizeof(*o));
+	struct pov_object *o = pov_state(p)->spare;
 
+	if (o)
+		memset(o, 0, sizeof(*o));
+	else
+		o = pov_new(p, sizeof(*o));
+	pov_state(p)->spare = NULL;
 	if (!o)
 		return NULL;
 	o->weight = 1;

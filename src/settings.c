@@ -16,7 +16,7 @@ enum {
 	KEY_ALPHA = OPTION_LONG_ONLY, KEY_AA, KEY_BITS, KEY_BLUR_SAMPLES, KEY_CAMERA_ONLY, KEY_CLOCK,
 	KEY_CROP, KEY_DRY_RUN, KEY_ERROR_LAYER, KEY_INDIRECT, KEY_INDIRECT_SAMPLES, KEY_LENIENT, KEY_LIMIT,
 	KEY_LIST_ACCELS, KEY_MEMORY, KEY_PRINT_COMPLETION, KEY_PROGRESS, KEY_RANGE, KEY_SEED,
-	KEY_SKIP_EXISTING, KEY_STATS, KEY_TEXTURE_FILTER, KEY_TILE, KEY_VERSION
+	KEY_SKIP_EXISTING, KEY_STATS, KEY_TEXTURE_FILTER, KEY_TILE, KEY_VERSION, KEY_WRITE
 };
 
 #define INDIRECT_MAX (1u << 20)
@@ -93,6 +93,8 @@ static const struct option_spec alidade_option[] = {
 	  "look for included files in DIR too; may be given again", "Scene" },
 	{ "define", 'D', OPTION_ARG, "NAME=VALUE", COMPLETE_NOTHING, NULL,
 	  "declare NAME for the scene, a number or a string; may be given again", NULL },
+	{ "write", KEY_WRITE, OPTION_ARG, "DIR", COMPLETE_DIR, NULL,
+	  "let the scene write files (#fopen, #write), below DIR only", NULL },
 	{ "lenient", KEY_LENIENT, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
 	  "warn about what is not supported and render the rest", NULL },
 	{ "limit", KEY_LIMIT, OPTION_ARG, "NAME=N", COMPLETE_WORDS, LIMIT_WORDS,
@@ -507,6 +509,9 @@ static enum status set_option(void *arg, const struct option_spec *o, const char
 		return add_define(s, o, value, d);
 	case KEY_INDIRECT_SAMPLES:
 		return set_number(o, value, 1, INDIRECT_MAX, &s->render.indirect_samples, d);
+	case KEY_WRITE:
+		s->read.write_dir = value;
+		return STATUS_OK;
 	case KEY_LIMIT:
 		return set_limit(s, o, value, d);
 	case KEY_PROGRESS:

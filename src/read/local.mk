@@ -10,6 +10,7 @@ src_libalidade_la_SOURCES += \
 	src/read/pov/cond.c \
 	src/read/pov/direct.c \
 	src/read/pov/expr.c \
+	src/read/pov/file.c \
 	src/read/pov/finish.c \
 	src/read/pov/func.c \
 	src/read/pov/function.c src/read/pov/function.h \

@@ -62,6 +62,7 @@ struct read_options {
 	const char *const *include_dirs; /* -L, in order */
 	uint32_t include_dir_count;
 	bool no_system_includes; /* do not look in an installed POV-Ray's include folder */
+	const char *write_dir; /* scenes may write files below it; NULL: none */
 	bool lenient; /* what is not supported is a warning, not an error */
 	const struct read_define *defines;
 	uint32_t define_count;

@@ -252,6 +252,9 @@ static uint64_t hash_mesh(uint64_t h, const struct mesh *m)
 	h = HASH(h, m->vertex_count);
 	h = HASH(h, m->triangle_count);
 	h = HASH(h, m->smooth_count);
+	h = HASH(h, m->textures_per_face);
+	h = HASH(h, m->lone);
+	h = HASH(h, m->has_inside);
 	h = hash_words(h, m->vertex, (size_t)m->vertex_count * 3 * sizeof(double));
 	h = hash_words(h, m->index, (size_t)m->triangle_count * 3 * sizeof(uint32_t));
 	if (m->normal)
@@ -261,7 +264,16 @@ static uint64_t hash_mesh(uint64_t h, const struct mesh *m)
 	if (m->texture)
 		h = hash_words(h, m->texture,
 			       (size_t)m->triangle_count * m->textures_per_face * sizeof(uint32_t));
+	if (m->uv)
+		h = hash_words(h, m->uv, (size_t)m->uv_count * 2 * sizeof(float));
+	if (m->uv_index)
+		h = hash_words(h, m->uv_index, (size_t)m->triangle_count * 3 * sizeof(uint32_t));
 	return HASH(h, m->inside);
+}
+
+static uint64_t hash_place(uint64_t h, const struct xform *x)
+{
+	return x ? HASH(h, x->fwd) : HASH(h, (char){ 0 });
 }
 
 /* Structs are hashed field by field where padding could differ; those made of doubles alone, whole. */
@@ -271,6 +283,8 @@ static uint64_t hash_object(uint64_t h, const struct object *o)
 	h = HASH(h, o->place.fwd);
 	h = HASH(h, o->texture);
 	h = HASH(h, o->interior_texture);
+	h = hash_place(h, o->texture_place);
+	h = hash_place(h, o->interior_texture_place);
 	h = HASH(h, o->interior);
 	h = HASH(h, o->solid);
 	h = HASH(h, o->flags);

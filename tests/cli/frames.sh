@@ -40,6 +40,26 @@ ok "a camera that goes far" run --range=1..2 -o far.ppm --stats=far.json far.pov
 is "has its structure built anew" "$(grep -c '"structure_reused": false' far.json)" 2
 ok "and the frame" run --range=1..2 -f 2 -o far-alone.ppm far.pov
 ok "is the same alone" cmp far2.ppm far-alone2.ppm
+# Textures, and where they lie, are another matter than shapes.
+cat >skin.pov <<'END'
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location -5*z look_at 0 }
+light_source { <3, 5, -4>, 1 }
+#declare F = function { x * frame_number }
+sphere { 0, 1 pigment { checker rgb 1, rgb x scale 0.3 translate frame_number * 0.1 * x } translate -1.5 * x }
+box { -0.6, 0.6 pigment { gradient y color_map { [0 rgb y] [1 rgb z] } } #if (frame_number = 2) rotate 90 * z #end }
+sphere { 0, 0.8 pigment { function { F(x, y, z) } } translate 1.8 * x }
+mesh2 { vertex_vectors { 3, <-2, -2, 0>, <2, -2, 0>, <0, -1, 0> }
+	uv_vectors { 3, <0, 0>, <clock, 0>, <0, 1> } face_indices { 1, <0, 1, 2> }
+	pigment { uv_mapping checker rgb 1, rgb z scale 0.2 } }
+END
+ok "moving textures" run --range=1..3 -o skin.ppm skin.pov
+for i in 1 2 3; do
+	ok "alone" run --range=1..3 -f $i -o skin-alone.ppm skin.pov
+	ok "gives frame $i" cmp skin$i.ppm skin-alone$i.ppm
+done
+ok "which moves" fails 1 cmp -s skin2.ppm skin3.ppm
 ok "some frames" run --range=1..4 -f 2,4 -o b.ppm clock.pov
 is "are these" "$(list 'b*.ppm')" "b2 b4 "
 ok "alone" run --range=1..4 -f 3 -o b.ppm clock.pov

@@ -180,7 +180,7 @@ static void errors(void **state)
 		{ "#declare S = spline { 0, <1,2,3> }\n#declare A = S(3, 4);",
 		  "t.pov:2:19: error: expected a kind of spline" },
 		{ "sphere { 0, 1 pigment { function (a) { a } } }", "t.pov:1:34: error: this function takes 1" },
-		{ "#fopen F \"x\" write", "t.pov:1:1: error: #fopen is not supported" },
+		{ "#fopen F \"x\" write", "t.pov:1:1: error: the scene wants to write the file" },
 		{ "sphere { trace(A, 0, 1), 1 }", "t.pov:1:10: error: the function trace is not supported" },
 		{ "#declare T = transform { matrix <0,0,0, 0,0,0, 0,0,0, 0,0,0> }", "t.pov:1:33: error: this matrix" },
 		{ "sphere { 0, 1 \xc3\xa9 }", "t.pov:1:15: error: the byte 0xc3" },
@@ -238,7 +238,8 @@ static void lenient(void **state)
 				   "#fopen H \"x\" write #write (H, \"a\" 1, <1,2>) #fclose H\n"
 				   "#debug str(A, 0, 0)", &o, &h), STATUS_OK);
 	assert_string_equal(h.debug, "5");
-	assert_string_equal(h.warning, "t.pov:3:1: warning: #fopen is not supported yet and left out");
+	assert_string_equal(h.warning, "t.pov:3:1: warning: the file \"x\" is not written; --write=DIR "
+				       "lets the scene write into DIR");
 }
 
 static char *repeat(const char *head, const char *text, size_t n)

@@ -304,6 +304,7 @@ static void finish(struct pov *p)
 	p->scene->version = p->version;
 	if (p->items)
 		pov_items_end(p);
+	files_release(p);
 	arrays_release(p);
 	sources_release(p);
 	mem_free(p->hash);

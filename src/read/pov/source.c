@@ -122,7 +122,7 @@ static int open_plain(const char *path, size_t *size)
 }
 
 /* "folder" + "name" in the scene's arena, since messages show it. */
-static char *join(struct pov *p, const char *folder, const char *name)
+char *source_join(struct pov *p, const char *folder, const char *name)
 {
 	size_t a = strlen(folder), b = strlen(name);
 	bool slash = a && folder[a - 1] != '/';
@@ -141,7 +141,7 @@ static char *join(struct pov *p, const char *folder, const char *name)
 
 static int try_folder(struct pov *p, const char *folder, const char *name, char **path, size_t *size)
 {
-	*path = join(p, folder, name);
+	*path = source_join(p, folder, name);
 	return *path ? open_plain(*path, size) : -1;
 }
 
@@ -242,28 +242,33 @@ static struct mapping *known(const struct pov *p, const char *name)
 	return NULL;
 }
 
-bool source_include(struct pov *p, const char *name, const struct diag_pos *pos)
+struct mapping *source_map(struct pov *p, const char *what, const char *name, const struct diag_pos *pos)
 {
 	struct mapping *m = known(p, name);
 	size_t size = 0;
 	char *path;
 	int fd;
 
+	if (m)
+		return m;
+	fd = find_file(p, name, &path, &size);
+	if (fd >= 0)
+		return map_file(p, name, path, fd, size, pos);
+	pov_fail_at(p, pos, "%s \"%s\" was not found (looked in the including file's and the scene's folder, -L "
+		    "folders%s)", what, name, p->options->no_system_includes ? "" : " and POV-Ray's include folder");
+	return NULL;
+}
+
+bool source_include(struct pov *p, const char *name, const struct diag_pos *pos)
+{
+	struct mapping *m;
+
 	if (p->include_depth >= p->limit.include_depth) {
 		pov_limit(p, pos, "include_depth", p->limit.include_depth,
 			  "files include each other too deeply, perhaps in a circle");
 		return false;
 	}
-	if (!m) {
-		fd = find_file(p, name, &path, &size);
-		if (fd < 0) {
-			pov_fail_at(p, pos, "include file \"%s\" was not found (looked in the including "
-				    "file's and the scene's folder, -L folders%s)", name,
-				    p->options->no_system_includes ? "" : " and POV-Ray's include folder");
-			return false;
-		}
-		m = map_file(p, name, path, fd, size, pos);
-	}
+	m = source_map(p, "include file", name, pos);
 	if (!m || !pov_charge(p, 32) ||
 	    !source_push_text(p, m->path, m->folder, m->base ? m->base : "", m->size))
 		return false;

@@ -26,6 +26,7 @@
 #include "pattern/mip.h"
 #include "look/require.h"
 #include "look/stats.h"
+#include "read/pictures.h"
 #include "read/read.h"
 #include "render/render.h"
 #include "scene/dump.h"
@@ -45,6 +46,7 @@ struct run {
 	struct accel_choice accel;
 	struct frame_plan plan;
 	struct read_stdin standard_input;
+	struct read_pictures pictures;
 	struct scene store[2]; /* this frame's scene, and the one that the geometry was built from */
 	struct scene *scene;
 	struct read_job job;
@@ -130,9 +132,15 @@ static enum status run_read(struct run *run)
 	scene_release(run->scene);
 	scene_init(run->scene, &run->book);
 	s->read.stop = asked_to_stop;
+	if (run->plan.animated) {
+		s->read.pictures = &run->pictures;
+		read_pictures_begin(&run->pictures);
+	}
 	progress_begin(&run->progress, "reading", began);
 	st = read_scene(run->scene_name, &s->read, run->scene, &run->job, &run->diag);
-	if (!run->plan.animated)
+	if (run->plan.animated)
+		read_pictures_end(&run->pictures);
+	else
 		read_stdin_release(&run->standard_input);
 	run->read_seconds = clock_seconds() - began;
 	progress_end(&run->progress, clock_seconds());
@@ -282,7 +290,7 @@ static enum status write_stats(struct run *run, bool complete)
 		.render = &run->counts, .book = &run->book, .read_seconds = run->read_seconds,
 		.write_seconds = run->write_seconds, .complete = complete,
 		.animated = run->plan.animated, .frame = s->read.frame.number,
-		.clock = s->read.frame.clock, .reused = run->reused,
+		.clock = s->read.frame.clock, .reused = run->reused, .pictures_kept = run->pictures.kept,
 	};
 
 	if (s->stats_file)
@@ -488,6 +496,7 @@ static void run_release(struct run *run)
 	scene_release(&run->store[0]);
 	scene_release(&run->store[1]);
 	read_stdin_release(&run->standard_input);
+	read_pictures_release(&run->pictures);
 	accel_unload(&run->accel);
 	pool_free(run->pool);
 	settings_release(&run->settings);
@@ -560,6 +569,7 @@ int main(int argc, char **argv)
 
 	run.diag = (struct diag){ print_message, &run, 0, 0 };
 	mem_book_init(&run.book, 0);
+	run.pictures.book = &run.book;
 	scene_init(&run.store[0], &run.book);
 	scene_init(&run.store[1], &run.book);
 	settings_init(&run.settings, &run.book);

@@ -131,8 +131,8 @@ void stats_text(const struct stats *s, FILE *out)
 	fprintf(out, "alidade %s: %s, %s, %s, %u thread%s%s\n", s->version, s->scene, s->options, s->accel,
 		s->threads, s->threads == 1 ? "" : "s", s->complete ? "" : ", interrupted");
 	if (s->animated)
-		fprintf(out, "frame %u, clock %g, structure %s\n", s->frame, s->clock,
-			s->reused ? "of an earlier frame" : "built");
+		fprintf(out, "frame %u, clock %g, structure %s, pictures kept %" PRIu64 "\n", s->frame, s->clock,
+			s->reused ? "of an earlier frame" : "built", s->pictures_kept);
 	text_rays(s->render, out);
 	if (s->render->error >= 0)
 		fprintf(out, "%-28s %15.6f\n", "mean standard error", s->render->error);
@@ -231,6 +231,7 @@ static void json_head(struct json *j, const struct stats *s)
 		json_uint(j, "frame", s->frame);
 		json_double(j, "clock", s->clock);
 		json_bool(j, "structure_reused", s->reused);
+		json_uint(j, "pictures_kept", s->pictures_kept);
 	}
 	json_string(j, "options", s->options);
 	json_string(j, "accelerator", s->accel);

@@ -26,6 +26,7 @@ struct stats {
 	bool animated;
 	uint32_t frame; /* of an animation, */
 	double clock;
+	uint64_t pictures_kept; /* textures' files that an earlier frame had read */
 	bool reused; /* the structure is an earlier frame's: the scene's shapes are the same */
 };
 

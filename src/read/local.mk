@@ -2,6 +2,7 @@ src_libalidade_la_SOURCES += \
 	src/read/frames.c src/read/frames.h \
 	src/read/ini.c src/read/ini.h \
 	src/read/limits.c src/read/limits.h \
+	src/read/pictures.c src/read/pictures.h \
 	src/read/read.c src/read/read.h \
 	src/read/pov/ask.c \
 	src/read/pov/atmosphere.c \

@@ -58,6 +58,8 @@ struct read_job {
 	struct frame_settings frames;
 };
 
+struct read_pictures; /* pictures.h */
+
 struct read_options {
 	const char *const *include_dirs; /* -L, in order */
 	uint32_t include_dir_count;
@@ -69,6 +71,7 @@ struct read_options {
 	uint32_t width, height; /* image_width, image_height; 0: not yet known (the .ini may say) */
 	struct frame_now frame; /* all 0: no animation */
 	uint32_t frame_digits; /* of the number in the name of a scene that an .ini names by #### */
+	struct read_pictures *pictures; /* kept for the next frame; NULL: there is none */
 	struct read_stdin *standard_input; /* NULL: nobody will want it again */
 	struct read_limits limits;
 	bool quiet_debug; /* do not pass on #debug output */

@@ -45,7 +45,7 @@ void scene_release(struct scene *s)
 		mem_free(s->mesh[i].uv_index);
 	}
 	for (uint32_t i = 0; i < s->picture_count; i++) {
-		if (s->picture[i])
+		if (s->picture[i] && !s->picture[i]->kept)
 			mem_free(s->picture[i]->sample);
 	}
 	for (struct mip *m = s->mip; m; m = m->next) {

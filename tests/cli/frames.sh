@@ -60,6 +60,19 @@ for i in 1 2 3; do
 	ok "gives frame $i" cmp skin$i.ppm skin-alone$i.ppm
 done
 ok "which moves" fails 1 cmp -s skin2.ppm skin3.ppm
+# Pictures are read once, unless they change or nobody wants them any more.
+cat >picture.pov <<'END'
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location -5*z look_at 0 }
+#if (frame_number != 3)
+	box { -1, 1 pigment { image_map { ppm "skin1.ppm" } } finish { ambient 1 } }
+#end
+END
+ok "pictures" run --range=1..5 -o pic.ppm --stats=pic.json picture.pov
+is "are kept" "$(grep -o '"pictures_kept": [0-9]*' pic.json | cut -d' ' -f2 | tr '\n' ' ')" "0 1 0 0 1 "
+ok "alone" run --range=1..5 -f 2 -o pic-alone.ppm picture.pov
+ok "is the same" cmp pic2.ppm pic-alone2.ppm
 ok "some frames" run --range=1..4 -f 2,4 -o b.ppm clock.pov
 is "are these" "$(list 'b*.ppm')" "b2 b4 "
 ok "alone" run --range=1..4 -f 3 -o b.ppm clock.pov

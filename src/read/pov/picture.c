@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "read/limits.h"
+#include "read/pictures.h"
 
 #define SUFFIXES_MAX 16
 
@@ -91,13 +92,14 @@ static bool any_clear(const struct picture *p, bool palette_alpha)
 }
 
 static struct pov_picture *keep(struct pov *p, struct image_raw *raw, const char *path,
-				const struct diag_pos *at)
+				const struct diag_pos *at, bool kept)
 {
 	struct pov_picture *f = pov_new(p, sizeof(*f));
 	struct picture *picture = f ? scene_add_picture(pov_scene(p)) : NULL;
 
 	if (!picture) {
-		image_raw_release(raw);
+		if (!kept)
+			image_raw_release(raw);
 		pov_no_memory(p);
 		return NULL;
 	}
@@ -108,6 +110,7 @@ static struct pov_picture *keep(struct pov *p, struct image_raw *raw, const char
 				     .depth = (enum picture_depth)raw->depth,
 				     .sample = raw->sample,
 				     .palette_count = raw->palette_count,
+				     .kept = kept,
 				     .pos = *at };
 	picture->clear = any_clear(picture, raw->palette_alpha);
 	f->raw = *raw;
@@ -127,11 +130,19 @@ static struct pov_picture *load(struct pov *p, const char *path, const struct di
 	struct diag diag = { .sink = deliver, .arg = &courier };
 	struct image_limits left = { limit.texture_pixels,
 				     used < limit.texture_bytes ? limit.texture_bytes - used : 1 };
+	struct read_pictures *store = pov_options(p)->pictures;
+	const struct image_raw *earlier = store ? read_pictures_find(store, path) : NULL;
 	struct image_raw raw;
+	bool kept = true;
 
-	if (image_raw_read(&raw, path, pov_book(p), &left, &diag))
-		return NULL;
-	return keep(p, &raw, path, at);
+	if (earlier) {
+		raw = *earlier;
+	} else {
+		if (image_raw_read(&raw, path, pov_book(p), &left, &diag))
+			return NULL;
+		kept = store && read_pictures_add(store, path, &raw);
+	}
+	return keep(p, &raw, path, at, kept);
 }
 
 /* tif is tiff, jpg is jpeg: POV-Ray's words for what a name ends in; NULL: it knows none. */

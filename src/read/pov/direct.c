@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Directives that are no conditions (manual 3.3.2): #declare and #local, #undef, #include, #default,
- * #version, the text streams, and files, which a scene may not write.
+ * #version, and the text streams.
  */
 #include <config.h>
 
@@ -28,8 +28,7 @@ void hold_end(struct pov *p, struct hold before)
 	p->hold_source = before.source;
 }
 
-/* Where the value goes. */
-static struct slot *target(struct pov *p, const struct token *name, bool local, uint32_t depth)
+struct slot *declare_target(struct pov *p, const struct token *name, bool local, uint32_t depth)
 {
 	struct binding *b = name->atom->top;
 
@@ -78,7 +77,7 @@ static void declare(struct pov *p, bool local)
 	before = hold_begin(p, source);
 	if (right_side(p, &value, false)) {
 		pov_accept(p, TOK_SEMICOLON);
-		to = p->failed ? NULL : target(p, &name, local, depth);
+		to = p->failed ? NULL : declare_target(p, &name, local, depth);
 		if (to)
 			*to = value;
 	}
@@ -176,58 +175,6 @@ static void set_default(struct pov *p)
 	pov_unnest(p);
 }
 
-/* With --lenient: (handle, anything, ...) or handle, then "name" and a mode. */
-static void skip_file_operands(struct pov *p, enum pov_token_kind word)
-{
-	struct slot value;
-
-	if (word == TOK_FOPEN || word == TOK_FCLOSE) {
-		token_raw_name(p);
-		p->have = false;
-		if (word == TOK_FOPEN && pov_path(p) && !pov_accept(p, TOK_READ) &&
-		    !pov_accept(p, TOK_WRITE))
-			pov_accept(p, TOK_APPEND);
-		return;
-	}
-	pov_expect(p, TOK_LEFT_PAREN, "");
-	token_raw_name(p);
-	p->have = false;
-	while (!p->failed && pov_token(p) != TOK_RIGHT_PAREN) {
-		if (pov_accept(p, TOK_COMMA))
-			continue;
-		if (pov_token(p) == TOK_NEW_IDENT || p->tok.kind == TOK_UNSET ||
-		    (p->tok.kind >= TOK_SINT16BE && p->tok.kind <= TOK_SINT8) ||
-		    (p->tok.kind >= TOK_UINT16BE && p->tok.kind <= TOK_UINT8))
-			pov_next(p);
-		else
-			right_side(p, &value, false);
-	}
-	pov_expect(p, TOK_RIGHT_PAREN, "");
-}
-
-static void file_directive(struct pov *p, enum pov_token_kind word, struct diag_pos pos)
-{
-	bool ok;
-
-	switch (word) {
-	case TOK_FOPEN:
-		ok = pov_unsupported(p, &pos, "#fopen", "a scene may neither write files nor read data "
-				     "files; compute the values in the scene or #include them");
-		break;
-	case TOK_WRITE:
-		ok = pov_unsupported(p, &pos, "#write", "a scene may not write files");
-		break;
-	case TOK_READ:
-		ok = pov_unsupported(p, &pos, "#read", "declare the values in a file and #include it");
-		break;
-	default:
-		ok = pov_unsupported(p, &pos, "#fclose", NULL);
-		break;
-	}
-	if (ok)
-		skip_file_operands(p, word);
-}
-
 /* A # that no directive follows means nothing, as in POV-Ray. */
 static void no_directive(struct pov *p, const struct diag_pos *pos)
 {
@@ -285,8 +232,17 @@ static void carry_out_directive(struct pov *p, enum pov_token_kind word, struct 
 	case TOK_DEBUG: case TOK_WARNING: case TOK_ERROR: case TOK_RENDER: case TOK_STATISTICS:
 		message(p, word, pos);
 		break;
-	case TOK_FOPEN: case TOK_FCLOSE: case TOK_READ: case TOK_WRITE:
-		file_directive(p, word, pos);
+	case TOK_FOPEN:
+		file_open(p, pos);
+		break;
+	case TOK_FCLOSE:
+		file_close(p, pos);
+		break;
+	case TOK_READ:
+		file_read(p);
+		break;
+	case TOK_WRITE:
+		file_write(p);
 		break;
 	default:
 		no_directive(p, &pos);

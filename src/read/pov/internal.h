@@ -168,6 +168,7 @@ struct pov {
 	struct source *source, *spare_source;
 	uint32_t macro_depth, include_depth;
 	struct mapping *mappings;
+	struct data_file *files;
 	const char *scene_folder;
 	struct buf conds; /* of struct cond */
 
@@ -222,6 +223,9 @@ bool source_push_macro(struct pov *, struct macro *);
 void source_pop(struct pov *);
 bool source_include(struct pov *, const char *name, const struct diag_pos *);
 bool source_exists(struct pov *, const char *name);
+/* The file, found as included ones are; NULL: reported. what: the message calls it that. */
+struct mapping *source_map(struct pov *, const char *what, const char *name, const struct diag_pos *);
+char *source_join(struct pov *, const char *folder, const char *name); /* in the scene's arena */
 void sources_release(struct pov *);
 
 /* lex.c: one raw token; TOK_END at the end of the source (which stays). */
@@ -238,6 +242,14 @@ void directive(struct pov *);
 bool bare_directive(struct pov *); /* true: the current token began one, which was carried out */
 struct hold hold_begin(struct pov *, const struct source *); /* source: the declaration stands in it */
 void hold_end(struct pov *, struct hold before);
+/* Where a declared value goes. */
+struct slot *declare_target(struct pov *, const struct token *name, bool local, uint32_t depth);
+/* file.c */
+void file_open(struct pov *, struct diag_pos);
+void file_close(struct pov *, struct diag_pos);
+void file_read(struct pov *);
+void file_write(struct pov *);
+void files_release(struct pov *);
 void cond_if(struct pov *, enum pov_token_kind, struct diag_pos);
 void cond_else(struct pov *, enum pov_token_kind, struct diag_pos);
 void cond_loop(struct pov *, enum pov_token_kind, struct diag_pos);

@@ -13,7 +13,7 @@ struct sums {
 static bool is_bounded(enum shape_kind k)
 {
 	return k == SHAPE_SPHERE || k == SHAPE_BOX || k == SHAPE_CONE || k == SHAPE_DISC ||
-	       k == SHAPE_TORUS;
+	       k == SHAPE_TORUS || k == SHAPE_SUPERELLIPSOID;
 }
 
 static unsigned leaf_mask(unsigned flags)

@@ -13,6 +13,7 @@ src_libalidade_la_SOURCES += \
 	src/prim/prim.h \
 	src/prim/shape.c \
 	src/prim/sphere.c \
+	src/prim/superellipsoid.c \
 	src/prim/sweep.c \
 	src/prim/torus.c \
 	src/prim/uv.c

@@ -23,7 +23,8 @@ struct prim {
 	vec centre; /* in level coordinates */
 	struct mat to; /* level to own; linear part only */
 	struct mat from; /* own to level; linear part only */
-	double a, b; /* cone: mean radius and half the growth; torus: minor radius; disc: hole */
+	double a, b; /* cone: mean radius and half the growth; torus: minor radius; disc: hole;
+			superellipsoid: its powers */
 	vec half; /* box */
 	ald_box box; /* grown, as the accelerator sees it; a body has none */
 	const void *data; /* of a body, see body.h */
@@ -60,7 +61,7 @@ struct prim_ops {
 };
 
 extern const struct prim_ops prim_sphere_ops, prim_box_ops, prim_cone_ops, prim_disc_ops, prim_torus_ops,
-	prim_plane_ops;
+	prim_plane_ops, prim_superellipsoid_ops;
 
 /* Set up from a scene object and its accumulated transform; level = (world - shift) * scale. False: it
  * has no extent, or something is not finite. Grows the box by pad and by what the map's rounding can

@@ -10,6 +10,7 @@ static const struct prim_ops *ops_of(const struct prim *p)
 	static const struct prim_ops *const ops[SHAPE_KINDS] = {
 		[SHAPE_SPHERE] = &prim_sphere_ops, [SHAPE_BOX] = &prim_box_ops,
 		[SHAPE_CONE] = &prim_cone_ops,	   [SHAPE_DISC] = &prim_disc_ops,
+		[SHAPE_SUPERELLIPSOID] = &prim_superellipsoid_ops,
 		[SHAPE_TORUS] = &prim_torus_ops, [SHAPE_PLANE] = &prim_plane_ops,
 	};
 
@@ -31,6 +32,10 @@ static struct mat canonical(struct prim *p, const struct object *o)
 	case SHAPE_BOX:
 		p->half = vec_scale(vec_sub(o->shape.box.hi, o->shape.box.lo), 0.5);
 		c = vec_add(o->shape.box.lo, p->half);
+		break;
+	case SHAPE_SUPERELLIPSOID:
+		p->a = 2 / o->shape.superellipsoid.a;
+		p->b = 2 / o->shape.superellipsoid.b;
 		break;
 	case SHAPE_TORUS:
 		m.m[0][0] = m.m[1][1] = m.m[2][2] = o->shape.torus.major;

@@ -232,6 +232,10 @@ static void dump_shape(const struct object *o, FILE *to)
 		put_word(to, "torus", o->shape.torus.major);
 		put_word(to, "minor", o->shape.torus.minor);
 		break;
+	case SHAPE_SUPERELLIPSOID:
+		put_word(to, "superellipsoid", o->shape.superellipsoid.a);
+		put_word(to, "by", o->shape.superellipsoid.b);
+		break;
 	case SHAPE_SWEEP:
 		fprintf(to, " sweep %u", o->shape.sweep);
 		break;

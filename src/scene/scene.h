@@ -139,6 +139,7 @@ enum shape_kind {
 	SHAPE_PLANE,
 	SHAPE_DISC,
 	SHAPE_TORUS,
+	SHAPE_SUPERELLIPSOID,
 	SHAPE_SWEEP,
 	SHAPE_BLOB,
 	SHAPE_UNION, /* this and those below have children */
@@ -197,6 +198,10 @@ struct object {
 		struct {
 			double major, minor; /* about the y axis */
 		} torus;
+		struct {
+			double a, b; /* > 0; east-west and north-south: (|x|^(2/a) + |y|^(2/a))^(a/b) +
+					|z|^(2/b) = 1 */
+		} superellipsoid;
 	} shape;
 	struct diag_pos pos;
 };

@@ -84,6 +84,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/soft-lamp.pov \
 	tests/features/solids.pov \
 	tests/features/spot.pov \
+	tests/features/superellipsoids.pov \
 	tests/features/sweeps.pov \
 	tests/features/terminator.pov \
 	tests/features/texture-maps.pov \
@@ -173,6 +174,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/soft-focus.exr \
 	tests/features/solids.exr \
 	tests/features/spot.exr \
+	tests/features/superellipsoids.exr \
 	tests/features/sweeps.exr \
 	tests/features/terminator.exr \
 	tests/features/texture-maps.exr \

@@ -86,7 +86,7 @@ static void crowd(struct world *w, double size)
 	shell_sphere(&shell, 6, 1000, 0.2, &seed);
 	shared = shell_mesh(w);
 	once = shell_mesh(w);
-	for (unsigned i = 0; i < 63; i++) {
+	for (unsigned i = 0; i < 70; i++) {
 		enum shape_kind kind = (enum shape_kind)(i % SHAPE_UNION);
 		struct object *o = add(w, kind);
 
@@ -94,7 +94,7 @@ static void crowd(struct world *w, double size)
 		o->place = i & 8 ? o[-8].place : some_place(&seed, i, size);
 		o->flags = i % 7 == 3 ? OBJECT_NO_IMAGE : i % 7 == 5 ? OBJECT_NO_SHADOW : 0;
 		if (kind == SHAPE_MESH)
-			o->shape.mesh = i == 36 ? once : shared;
+			o->shape.mesh = i == 40 ? once : shared;
 		else if (kind == SHAPE_SPHERE)
 			o->shape.sphere.radius = 1;
 		else if (kind == SHAPE_BOX)
@@ -110,6 +110,8 @@ static void crowd(struct world *w, double size)
 			o->shape.cone.base_radius = 1;
 			o->shape.cone.open = i & 16;
 		}
+		if (kind == SHAPE_SUPERELLIPSOID)
+			o->shape.superellipsoid.a = 0.5 + i / 100.0, o->shape.superellipsoid.b = 1.5;
 		if (kind == SHAPE_BLOB)
 			o->shape.blob = some_blob(w, &seed);
 		if (kind == SHAPE_SWEEP)

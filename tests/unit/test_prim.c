@@ -7,8 +7,9 @@
 
 #include "world_fixture.h"
 
-static const enum shape_kind solids[] = { SHAPE_SPHERE, SHAPE_BOX, SHAPE_CONE, SHAPE_TORUS };
-enum { SOLIDS = 4 };
+static const enum shape_kind solids[] = { SHAPE_SPHERE, SHAPE_BOX, SHAPE_CONE, SHAPE_SUPERELLIPSOID,
+					  SHAPE_TORUS };
+enum { SOLIDS = 5 };
 
 /* A shape of about the given size; which: the variants of a kind. */
 static void shape_of(struct object *o, enum shape_kind kind, double size, unsigned which)
@@ -34,6 +35,11 @@ static void shape_of(struct object *o, enum shape_kind kind, double size, unsign
 	case SHAPE_TORUS:
 		o->shape.torus.major = size;
 		o->shape.torus.minor = which == 0 ? size / 4 : which == 1 ? size / 100 : size * 1.5;
+		break;
+	case SHAPE_SUPERELLIPSOID:
+		o->shape.superellipsoid.a = which == 0 ? 0.2 : which == 1 ? 1.7 : 1;
+		o->shape.superellipsoid.b = which == 0 ? 0.3 : which == 1 ? 0.6 : 2;
+		o->place = xform_scale(vec_make(size, size, size));
 		break;
 	case SHAPE_DISC:
 		o->shape.disc.normal = vec_unit(vec_make(1, 2, 3));
@@ -73,15 +79,15 @@ static void boxes_hold_and_fit(void **state)
 	uint64_t seed = 1;
 
 	(void)state;
-	for (unsigned n = 0; n < 5 * 3 * 4; n++) {
-		enum shape_kind kind = n % 5 == 4 ? SHAPE_DISC : solids[n % 5];
+	for (unsigned n = 0; n < 6 * 3 * 4; n++) {
+		enum shape_kind kind = n % 6 == 5 ? SHAPE_DISC : solids[n % 6];
 		struct xform place = some_place(&seed, n & 1);
 		ald_box seen = ald_box_empty();
 		struct object o;
 		struct prim p;
 		vec size;
 
-		shape_of(&o, kind, 1, n / 5 % 3);
+		shape_of(&o, kind, 1, n / 6 % 3);
 		assert_true(prim_make(&p, &o, &place, vec_make(0, 0, 0), 1, 4, 1e-15));
 		size = vec_sub(p.box.hi, p.box.lo);
 		for (unsigned i = 0; i < 60000; i++) {
@@ -286,7 +292,8 @@ static void secondary_rays_leave(void **state)
 				o->next_sibling = next;
 			}
 			move = xform_translate(vec_scale(vec_make(0.6, -0.64, 0.48), far * size));
-			o->place = xform_mul(&place, &move);
+			o->place = xform_mul(&o->place, &place);
+			o->place = xform_mul(&o->place, &move);
 			build(&w);
 			leave(&w, o->kind != SHAPE_TORUS, &seed, &left);
 			assert_true(left > 20); /* thin rings are hard to hit */

@@ -140,6 +140,16 @@ static void read_torus(struct pov *p, struct object *o)
 	o->shape.torus.minor = read_radius(p, "the torus's minor radius");
 }
 
+static void read_superellipsoid(struct pov *p, struct object *o)
+{
+	struct diag_pos at = pov_here(p);
+
+	pov_vector2(p, &o->shape.superellipsoid.a, &o->shape.superellipsoid.b);
+	if (!pov_failed(p) && !(o->shape.superellipsoid.a > 0 && o->shape.superellipsoid.b > 0 &&
+				isfinite(o->shape.superellipsoid.a) && isfinite(o->shape.superellipsoid.b)))
+		pov_fail_at(p, &at, "the superellipsoid's exponents have to be greater than 0");
+}
+
 /* Shapes whose numbers are read here, and those that are only known by name. */
 static const struct shape_word {
 	enum pov_token_kind token;
@@ -153,6 +163,7 @@ static const struct shape_word {
 	{ TOK_PLANE, SHAPE_PLANE, read_plane },
 	{ TOK_DISC, SHAPE_DISC, read_disc },
 	{ TOK_TORUS, SHAPE_TORUS, read_torus },
+	{ TOK_SUPERELLIPSOID, SHAPE_SUPERELLIPSOID, read_superellipsoid },
 	{ TOK_SPHERE_SWEEP, SHAPE_SWEEP, pov_read_sweep },
 	{ TOK_BICUBIC_PATCH, SHAPE_UNION, NULL },
 	{ TOK_CUBIC, SHAPE_UNION, NULL },
@@ -170,7 +181,6 @@ static const struct shape_word {
 	{ TOK_QUADRIC, SHAPE_UNION, NULL },
 	{ TOK_QUARTIC, SHAPE_UNION, NULL },
 	{ TOK_SOR, SHAPE_UNION, NULL },
-	{ TOK_SUPERELLIPSOID, SHAPE_UNION, NULL },
 	{ TOK_TEXT, SHAPE_UNION, NULL },
 };
 

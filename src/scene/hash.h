@@ -7,6 +7,8 @@
 #ifndef ALIDADE_SCENE_HASH_H
 #define ALIDADE_SCENE_HASH_H
 
+#include <string.h>
+
 #include "scene/scene.h"
 
 static inline uint64_t hash_bytes(uint64_t h, const void *p, size_t n)
@@ -18,6 +20,21 @@ static inline uint64_t hash_bytes(uint64_t h, const void *p, size_t n)
 	return h;
 }
 
+/* Eight bytes at a time: meshes and pictures are large. */
+static inline uint64_t hash_words(uint64_t h, const void *p, size_t n)
+{
+	const unsigned char *c = p;
+	uint64_t w;
+
+	for (; n >= 8; n -= 8, c += 8) {
+		memcpy(&w, c, 8);
+		h = (h ^ w) * 1099511628211u;
+		h ^= h >> 32;
+	}
+	return hash_bytes(h, c, n);
+}
+
+#define HASH_START 14695981039346656037u
 #define HASH(h, x) hash_bytes(h, &(x), sizeof(x))
 
 /* Textures, and all that they are made of. */

@@ -231,21 +231,6 @@ void scene_add_root(struct scene *s, uint32_t o)
 	s->last_root = o;
 }
 
-#define HASH_START 14695981039346656037u
-
-static uint64_t hash_words(uint64_t h, const void *p, size_t n)
-{
-	const unsigned char *c = p;
-	uint64_t w;
-
-	/* Eight bytes at a time: meshes are large. */
-	for (; n >= 8; n -= 8, c += 8) {
-		memcpy(&w, c, 8);
-		h = (h ^ w) * 1099511628211u;
-		h ^= h >> 32;
-	}
-	return hash_bytes(h, c, n);
-}
 
 static uint64_t hash_mesh(uint64_t h, const struct mesh *m)
 {

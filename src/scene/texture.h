@@ -128,6 +128,7 @@ struct picture {
 	enum picture_depth depth;
 	void *sample; /* by mem_alloc; [height * width * channels], top row first */
 	uint32_t palette_count; /* 0: none; else samples (8 bits, 1 channel) are its numbers */
+	uint64_t hash; /* of the samples */
 	bool clear; /* alpha is somewhere below 1 */
 	bool kept; /* the samples are somebody else's */
 	struct diag_pos pos; /* of the first statement that uses it */

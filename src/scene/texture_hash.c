@@ -49,7 +49,7 @@ static uint64_t hash_picture(uint64_t h, const struct picture_place *p)
 	const struct picture *f = p->picture;
 
 	if (f) {
-		h = hash_bytes(h, f->path, f->path ? strlen(f->path) : 0);
+		h = HASH(h, f->hash);
 		h = HASH(h, f->width);
 		h = HASH(h, f->height);
 	}
@@ -57,6 +57,9 @@ static uint64_t hash_picture(uint64_t h, const struct picture_place *p)
 	h = HASH(h, p->interpolate);
 	h = HASH(h, p->use);
 	h = HASH(h, p->once);
+	h = HASH(h, p->premultiplied);
+	if (p->entry && f)
+		h = hash_bytes(h, p->entry, f->palette_count * sizeof(*p->entry));
 	h = HASH(h, p->repeat_u);
 	h = HASH(h, p->repeat_v);
 	h = HASH(h, p->offset_u);

@@ -25,6 +25,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/depth-limit.pov \
 	tests/features/diffuse-back.pov \
 	tests/features/diffuse.pov \
+	tests/features/bump-glass.pov \
 	tests/features/bump-map.pov \
 	tests/features/fade.pov \
 	tests/features/filter-shadow.pov \
@@ -118,6 +119,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/depth-limit.exr \
 	tests/features/diffuse-back.exr \
 	tests/features/diffuse.exr \
+	tests/features/bump-glass.exr \
 	tests/features/bump-map.exr \
 	tests/features/fade.exr \
 	tests/features/filter-shadow.exr \

@@ -13,6 +13,7 @@
 
 #include "read/limits.h"
 #include "read/pictures.h"
+#include "scene/hash.h"
 
 #define SUFFIXES_MAX 16
 
@@ -111,6 +112,7 @@ static struct pov_picture *keep(struct pov *p, struct image_raw *raw, const char
 				     .sample = raw->sample,
 				     .palette_count = raw->palette_count,
 				     .kept = kept,
+				     .hash = hash_words(HASH_START, raw->sample, (size_t)image_raw_bytes(raw)),
 				     .pos = *at };
 	picture->clear = any_clear(picture, raw->palette_alpha);
 	f->raw = *raw;

@@ -36,6 +36,12 @@ struct filtering {
 	struct rgb sum;
 };
 
+/* How straight light falls on a layer, bumps and all. */
+static double straightness(const struct filtering *f, const struct layer *l, const struct pattern_point *at)
+{
+	return l->normal ? vec_dot(normal_at(f->scene, l->normal, at, at->n), at->dir) : f->cosine;
+}
+
 /* What a texture of layers lets through; fake caustics brighten where the light falls straight (3.4.8.1.3). */
 static void add_filter(void *self, const struct texture *t, const struct pattern_point *at, double share)
 {
@@ -48,7 +54,8 @@ static void add_filter(void *self, const struct texture *t, const struct pattern
 		through = rgb_mul(through,
 				  rgbft_through(p->pattern ? pigment_at(f->scene, p, at) : p->colour));
 		if (f->caustics != 0)
-			through = rgb_scale(through, 1 + pow(fabs(f->cosine), CAUSTICS_POWER * f->caustics));
+			through = rgb_scale(through, 1 + pow(fabs(straightness(f, &t->layer[i], at)),
+							     CAUSTICS_POWER * f->caustics));
 	}
 	f->sum = rgb_add(f->sum, rgb_scale(through, share));
 }

@@ -86,7 +86,7 @@ static void spawn_through(const struct shader *sh, struct tree *t, const struct 
 			   .inside = n->inside,
 			   .clear_sky = n->clear_sky,
 			   .slot = 2 * (uint64_t)(part - m->first_part) };
-	vec dir = n->dir;
+	vec dir = n->dir, normal = p->normal;
 	uint32_t before = n->inside, child;
 	double ratio, c, k;
 
@@ -96,16 +96,20 @@ static void spawn_through(const struct shader *sh, struct tree *t, const struct 
 	if (fabs(ratio - 1) < SAME) {
 		s.straight = true;
 	} else {
-		c = -vec_dot(dir, p->normal);
+		c = -vec_dot(dir, normal);
+		if (c < 0) { /* a bent normal that looks away is turned, as in POV-Ray */
+			normal = vec_neg(normal);
+			c = -c;
+		}
 		k = 1 + ratio * ratio * (c * c - 1);
 		if (k < 0) {
 			p->total = true;
-			s.dir = mirrored(dir, p->normal, m->ns);
+			s.dir = mirrored(dir, normal, m->ns);
 			s.kind = NODE_REFLECTED;
 			s.inside = before;
 			s.clear_sky = false;
 		} else {
-			s.dir = vec_unit(vec_mad(vec_scale(dir, ratio), p->normal, ratio * c - sqrt(k)));
+			s.dir = vec_unit(vec_mad(vec_scale(dir, ratio), normal, ratio * c - sqrt(k)));
 		}
 	}
 	child = add_node(sh, t, m, &s);

@@ -204,6 +204,8 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/pictures/plain.ppm \
 	tests/features/pictures/plain.tif \
 	tests/features/fogs.inc \
+	tests/features/macro-object.exr \
+	tests/features/macro-object.pov \
 	tests/features/media-world.exr \
 	tests/features/media-world.pov \
 	tests/features/media.exr \

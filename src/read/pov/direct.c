@@ -78,8 +78,10 @@ static void declare(struct pov *p, bool local)
 	if (right_side(p, &value, false)) {
 		pov_accept(p, TOK_SEMICOLON);
 		to = p->failed ? NULL : declare_target(p, &name, local, depth);
-		if (to)
+		if (to) {
 			*to = value;
+			token_again(p);
+		}
 	}
 	hold_end(p, before);
 	pov_unnest(p);

@@ -235,6 +235,7 @@ enum pov_token_kind lex_skip(struct pov *, struct diag_pos opened, const char *w
 struct diag_pos source_pos(const struct pov *);
 
 /* token.c */
+void token_again(struct pov *); /* a name that was looked at before its declaration was finished */
 bool token_raw_name(struct pov *); /* the next token with raw_names on */
 
 /* direct.c, cond.c, macro.c: # has been passed; or the macro's name. */

@@ -125,6 +125,16 @@ static void resolve(struct pov *p)
 	p->tok.waiting = s->kind == SLOT_MACRO && !p->raw_names;
 }
 
+void token_again(struct pov *p)
+{
+	bool name = p->tok.kind == TOK_NEW_IDENT || p->tok.kind == TOK_IDENT;
+
+	if (!p->have || p->failed || !name || !p->tok.atom || p->tok.element)
+		return;
+	p->tok.kind = TOK_NEW_IDENT;
+	resolve(p);
+}
+
 /* The current token is a # or a macro's name whose time has come. */
 static void carry_out(struct pov *p)
 {

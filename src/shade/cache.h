@@ -29,7 +29,7 @@ struct cache_record {
 
 struct cache {
 	struct mem_book *book;
-	struct buf record, entry; /* entry: records by cells */
+	struct buf record, probe, entry; /* probe: their places; entry: numbers of records, by cells */
 	struct cache_cell *cell; /* a hash table, 1 << bits of them; NULL: empty */
 	uint32_t bits;
 	uint32_t level_count;

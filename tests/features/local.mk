@@ -204,6 +204,8 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/pictures/plain.ppm \
 	tests/features/pictures/plain.tif \
 	tests/features/fogs.inc \
+	tests/features/bumpy-glass.exr \
+	tests/features/bumpy-glass.pov \
 	tests/features/macro-object.exr \
 	tests/features/macro-object.pov \
 	tests/features/media-world.exr \

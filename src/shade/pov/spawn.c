@@ -104,7 +104,7 @@ static void spawn_through(const struct shader *sh, struct tree *t, const struct 
 		k = 1 + ratio * ratio * (c * c - 1);
 		if (k < 0) {
 			p->total = true;
-			s.dir = mirrored(dir, normal, m->ns);
+			s.dir = mirrored(dir, p->normal, m->ns); /* as it was, not turned: measured */
 			s.kind = NODE_REFLECTED;
 			s.inside = before;
 			s.clear_sky = false;

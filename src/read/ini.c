@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <unistd.h>
 
 #include "read/pov/number.h"
 
@@ -160,7 +161,7 @@ static void declare(struct reader *r, const char *value)
 enum option { IGNORED, INPUT, OUTPUT, WIDTH, HEIGHT, AA, AA_DEPTH, AA_THRESHOLD, AA_METHOD, AA_GAMMA,
 	      START_ROW, END_ROW, START_COLUMN, END_COLUMN, ALPHA, DECLARE, LIBRARY, INITIAL_FRAME,
 	      FINAL_FRAME, INITIAL_CLOCK, FINAL_CLOCK, SUBSET_START, SUBSET_END, FRAME_STEP, CLOCK, CYCLIC,
-	      FIELDS };
+	      FIELDS, COMMAND };
 
 /* Those that are ignored concern POV-Ray's own output, speed or window. */
 static const struct {
@@ -171,31 +172,37 @@ static const struct {
 	{ "Antialias_Depth", AA_DEPTH }, { "Antialias_Gamma", AA_GAMMA },
 	{ "Antialias_Threshold", AA_THRESHOLD }, { "Bits_Per_Color", IGNORED },
 	{ "Bounding", IGNORED }, { "Bounding_Method", IGNORED }, { "Bounding_Threshold", IGNORED },
-	{ "Clock", CLOCK }, { "Compression", IGNORED }, { "Continue_Trace", IGNORED }, { "Create_Ini", IGNORED },
-	{ "Cyclic_Animation", CYCLIC },
-	{ "Debug_Console", IGNORED }, { "Debug_File", IGNORED }, { "Declare", DECLARE },
-	{ "Display", IGNORED }, { "Display_Gamma", IGNORED }, { "Dither", IGNORED },
-	{ "Dither_Method", IGNORED }, { "End_Column", END_COLUMN }, { "End_Row", END_ROW },
-	{ "Fatal_Console", IGNORED }, { "Fatal_File", IGNORED }, { "Field_Render", FIELDS },
-	{ "File_Gamma", IGNORED }, { "Final_Clock", FINAL_CLOCK }, { "Final_Frame", FINAL_FRAME },
-	{ "Frame_Step", FRAME_STEP },
-	{ "Grayscale_Output", IGNORED }, { "Height", HEIGHT }, { "Initial_Clock", INITIAL_CLOCK },
-	{ "Initial_Frame", INITIAL_FRAME }, { "Input_File_Name", INPUT },
-	{ "Jitter", IGNORED }, { "Jitter_Amount", IGNORED }, { "Library_Path", LIBRARY },
-	{ "Light_Buffer", IGNORED }, { "Max_Image_Buffer_Memory", IGNORED },
-	{ "Odd_Field", IGNORED }, { "Output_Alpha", ALPHA }, { "Output_File_Name", OUTPUT },
-	{ "Output_File_Type", IGNORED },
+	{ "Clock", CLOCK }, { "Compression", IGNORED }, { "Continue_Trace", IGNORED },
+	{ "Create_Ini", IGNORED }, { "Cyclic_Animation", CYCLIC }, { "Debug_Console", IGNORED },
+	{ "Debug_File", IGNORED }, { "Declare", DECLARE }, { "Display", IGNORED },
+	{ "Display_Gamma", IGNORED }, { "Dither", IGNORED }, { "Dither_Method", IGNORED },
+	{ "End_Column", END_COLUMN }, { "End_Row", END_ROW }, { "Fatal_Console", IGNORED },
+	{ "Fatal_Error_Command", COMMAND }, { "Fatal_Error_Return", IGNORED },
+	{ "Fatal_File", IGNORED }, { "Field_Render", FIELDS }, { "File_Gamma", IGNORED },
+	{ "Final_Clock", FINAL_CLOCK }, { "Final_Frame", FINAL_FRAME },
+	{ "Frame_Step", FRAME_STEP }, { "Grayscale_Output", IGNORED }, { "Height", HEIGHT },
+	{ "Initial_Clock", INITIAL_CLOCK }, { "Initial_Frame", INITIAL_FRAME },
+	{ "Input_File_Name", INPUT }, { "Jitter", IGNORED }, { "Jitter_Amount", IGNORED },
+	{ "Library_Path", LIBRARY }, { "Light_Buffer", IGNORED },
+	{ "Max_Image_Buffer_Memory", IGNORED }, { "Odd_Field", IGNORED }, { "Output_Alpha", ALPHA },
+	{ "Output_File_Name", OUTPUT }, { "Output_File_Type", IGNORED },
 	{ "Output_To_File", IGNORED }, { "Palette", IGNORED }, { "Pause_When_Done", IGNORED },
+	{ "Post_Frame_Command", COMMAND }, { "Post_Frame_Return", IGNORED },
+	{ "Post_Scene_Command", COMMAND }, { "Post_Scene_Return", IGNORED },
+	{ "Pre_Frame_Command", COMMAND }, { "Pre_Frame_Return", IGNORED },
+	{ "Pre_Scene_Command", COMMAND }, { "Pre_Scene_Return", IGNORED },
 	{ "Preview_End_Size", IGNORED }, { "Preview_Start_Size", IGNORED }, { "Quality", IGNORED },
-	{ "Remove_Bounds", IGNORED }, { "Render_Block_Size", IGNORED }, { "Render_Console", IGNORED },
-	{ "Render_File", IGNORED }, { "Render_Pattern", IGNORED }, { "Sampling_Method", AA_METHOD },
-	{ "Split_Unions", IGNORED }, { "Start_Column", START_COLUMN }, { "Start_Row", START_ROW },
+	{ "Remove_Bounds", IGNORED }, { "Render_Block_Size", IGNORED },
+	{ "Render_Console", IGNORED }, { "Render_File", IGNORED }, { "Render_Pattern", IGNORED },
+	{ "Sampling_Method", AA_METHOD }, { "Split_Unions", IGNORED },
+	{ "Start_Column", START_COLUMN }, { "Start_Row", START_ROW },
 	{ "Statistic_Console", IGNORED }, { "Statistic_File", IGNORED },
-	{ "Subset_End_Frame", SUBSET_END }, { "Subset_Start_Frame", SUBSET_START }, { "Test_Abort", IGNORED },
-	{ "Test_Abort_Count", IGNORED }, { "Verbose", IGNORED }, { "Version", IGNORED },
-	{ "Video_Mode", IGNORED }, { "Vista_Buffer", IGNORED }, { "Warning_Console", IGNORED },
-	{ "Warning_File", IGNORED }, { "Warning_Level", IGNORED }, { "Width", WIDTH },
-	{ "Work_Threads", IGNORED },
+	{ "Subset_End_Frame", SUBSET_END }, { "Subset_Start_Frame", SUBSET_START },
+	{ "Test_Abort", IGNORED }, { "Test_Abort_Count", IGNORED },
+	{ "User_Abort_Command", COMMAND }, { "User_Abort_Return", IGNORED }, { "Verbose", IGNORED },
+	{ "Version", IGNORED }, { "Video_Mode", IGNORED }, { "Vista_Buffer", IGNORED },
+	{ "Warning_Console", IGNORED }, { "Warning_File", IGNORED }, { "Warning_Level", IGNORED },
+	{ "Width", WIDTH }, { "Work_Threads", IGNORED },
 };
 
 static bool frame_number(struct reader *r, const char *name, const char *value, uint32_t *out)
@@ -298,6 +305,10 @@ static void apply(struct reader *r, enum option option, const char *name, char *
 	case START_COLUMN: ok = number(r, name, value, &j->start_column); break;
 	case END_COLUMN: ok = number(r, name, value, &j->end_column); break;
 	case ALPHA: ok = boolean(r, name, value, &j->alpha); break;
+	case COMMAND:
+		if (*value)
+			diag_report(r->diag, DIAG_WARNING, &r->pos, "%s is ignored: no commands are run", name);
+		return;
 	default: apply_frames(r, option, name, value); return;
 	}
 	static const unsigned bit[] = {
@@ -456,6 +467,24 @@ static bool prepare(struct reader *r, const char *path, const char *bytes, size_
 	return true;
 }
 
+/* An .ini that names no scene goes with the .pov of its name, if there is one: POV-Ray's examples are so, and
+ * are given both names. */
+static void find_beside(struct reader *r, const char *path)
+{
+	size_t length = strlen(path);
+	char *scene;
+
+	if (length < 4 || strcasecmp(path + length - 4, ".ini"))
+		return;
+	scene = keep(r, length + 1);
+	if (!scene)
+		return;
+	memcpy(scene, path, length - 4);
+	memcpy(scene + length - 4, ".pov", 5);
+	if (!access(scene, R_OK))
+		r->ini->input = scene;
+}
+
 enum status ini_read(struct ini *ini, const char *path, const char *bytes, size_t size,
 		     const struct read_options *o, struct scene *scene, struct diag *diag)
 {
@@ -478,6 +507,8 @@ enum status ini_read(struct ini *ini, const char *path, const char *bytes, size_
 		r.define[ini->define_count++] = o->defines[i];
 	ini->define = r.define;
 	r.pos.line = r.pos.col = 0;
+	if (!r.status && !ini->input)
+		find_beside(&r, path);
 	if (!r.status && !ini->input)
 		r.status = diag_fail(diag, STATUS_SCENE, &r.pos, "names no scene: Input_File_Name is missing");
 	return r.status;

@@ -116,6 +116,10 @@ ok "with its range" test -s r02.ppm
 printf '+Iclock.pov +KFF4 ; as on the command line\n+KC +SF2 +EF3 +W16 +H12\n' >switches.ini
 ok "switches" run -o g.ppm switches.ini
 is "are understood" "$(list 'g*.ppm')" "g2 g3 "
+printf 'Final_Frame=2\nPre_Frame_Command="touch oops"\n' >clock.ini
+ok "the scene of the same name" sh -c '"$0" -s 16x12 -o same.ppm clock.ini 2>err' "$ALIDADE"
+ok "no commands" test ! -e oops -a -s same2.ppm
+ok "which is said" grep -q 'clock.ini:2:.*Pre_Frame_Command is ignored: no commands are run' err
 printf 'Input_File_Name=clock.pov\nFinal_Frame=2\nField_Render=on\n' >field.ini
 ok "half frames" sh -c '! "$0" field.ini 2>err' "$ALIDADE"
 ok "are refused by name" grep -q 'field.ini:3:.*Field_Render is not supported' err
@@ -153,7 +157,7 @@ env --default-signal=INT "$ALIDADE" -t 2 -s 800x600 --aa 8 --tile 16 --range 1..
 	slow.pov >lines 2>err &
 pid=$!
 tries=0
-until grep -q '"frame": 2, .*"done"' lines || [ $((tries += 1)) -gt 600 ]; do
+until grep -qs '"frame": 2, .*"done"' lines || [ $((tries += 1)) -gt 600 ]; do
 	sleep 0.1
 done
 kill -s TERM $pid

@@ -345,6 +345,17 @@ static void trim(const char **from, const char **to)
 	*to = end;
 }
 
+static void take_option(struct reader *r, const char *name, char *value)
+{
+	for (size_t i = 0; i < sizeof(option_table) / sizeof(option_table[0]); i++) {
+		if (!strcasecmp(option_table[i].name, name)) {
+			apply(r, option_table[i].option, option_table[i].name, value);
+			return;
+		}
+	}
+	diag_report(r->diag, DIAG_WARNING, &r->pos, "the option %s is not known and ignored", name);
+}
+
 /* Of POV-Ray's command line: those that change the picture. A longer name stands before a shorter one
  * that begins it. boolean: + is on and - is off, and what follows is a value of its own. */
 static const struct {
@@ -387,7 +398,7 @@ static void take_switch(struct reader *r, char *text)
 static void switches(struct reader *r, const char *at, const char *end)
 {
 	const char *from, *to;
-	char *text;
+	char *text, *equals;
 
 	for (at = skip_blank(at, end); at < end && *at != ';' && !r->status; at = skip_blank(to, end)) {
 		for (from = to = at; to < end && !memchr(" \t\r;", *to, 4); to++)
@@ -396,6 +407,12 @@ static void switches(struct reader *r, const char *at, const char *end)
 		if (!text)
 			return;
 		memcpy(text, from, (size_t)(to - from));
+		equals = strchr(text, '=');
+		if (*text != '+' && *text != '-' && equals) {
+			*equals = 0;
+			take_option(r, text, equals + 1);
+			continue;
+		}
 		if (*text != '+' && *text != '-') {
 			r->status = diag_fail(r->diag, STATUS_SCENE, &r->pos,
 					      "\"%s\": expected another switch with its + or -", text);
@@ -434,13 +451,7 @@ static void line(struct reader *r, const char *at, const char *end)
 	if (!value)
 		return;
 	memcpy(value, at, (size_t)(end - at));
-	for (size_t i = 0; i < sizeof(option_table) / sizeof(option_table[0]); i++) {
-		if (!strcasecmp(option_table[i].name, option)) {
-			apply(r, option_table[i].option, option_table[i].name, value);
-			return;
-		}
-	}
-	diag_report(r->diag, DIAG_WARNING, &r->pos, "the option %s is not known and ignored", option);
+	take_option(r, option, value);
 }
 
 static bool prepare(struct reader *r, const char *path, const char *bytes, size_t size,
@@ -450,9 +461,9 @@ static bool prepare(struct reader *r, const char *path, const char *bytes, size_
 	size_t lines = 1;
 	char *folder = keep(r, slash ? (size_t)(slash - path) + 2 : 1);
 
-	/* Or for more: a line may have several +L. */
+	/* Or for more: a line of switches may have several of each. */
 	for (const char *p = bytes; p < bytes + size; p++)
-		lines += *p == '\n' || *p == '+' || *p == '-';
+		lines += *p == '\n' || *p == '+' || *p == '-' || *p == '=';
 	r->define = keep(r, (lines + o->define_count) * sizeof(*r->define));
 	r->library = keep(r, (lines + o->include_dir_count) * sizeof(*r->library));
 	if (r->status)

@@ -113,7 +113,7 @@ ok "an .ini with frames" run -o r.ppm range.ini
 is "numbered as POV-Ray does" "$(list "r*.ppm")" "r09 r10 "
 ok "-f before the .ini" run -f 2 -o r.ppm range.ini
 ok "with its range" test -s r02.ppm
-printf '+Iclock.pov +KFF4 ; as on the command line\n+KC +SF2 +EF3 +W16 +H12\n' >switches.ini
+printf '+Iclock.pov +KFF4 ; as on the command line\n+KC +SF2 subset_end_frame=3 +W16 +H12\n' >switches.ini
 ok "switches" run -o g.ppm switches.ini
 is "are understood" "$(list 'g*.ppm')" "g2 g3 "
 printf 'Final_Frame=2\nPre_Frame_Command="touch oops"\n' >clock.ini

@@ -10,6 +10,7 @@
 #include "image/format.h"
 
 #include <dlfcn.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -162,6 +163,27 @@ static void *take_raw(void *arg, const struct io_oiio_raw *h)
 	return raw->sample;
 }
 
+/* Radiance's bytes stand for the middle of what they round to, as its own library and POV-Ray have it;
+ * OpenImageIO gives the lower end. A pixel's three share the exponent, so the largest tells how much a half is. */
+static void centre(const struct image_raw *raw)
+{
+	size_t n = (size_t)raw->width * raw->height;
+	float *v = raw->sample;
+	int e;
+
+	for (size_t i = 0; i < n && raw->channels == 3; i++, v += 3) {
+		float most = fmaxf(v[0], fmaxf(v[1], v[2])), half;
+
+		if (!(most > 0) || !isfinite(most))
+			continue;
+		(void)frexpf(most, &e);
+		half = ldexpf(1, e - 9);
+		v[0] += half;
+		v[1] += half;
+		v[2] += half;
+	}
+}
+
 enum status oiio_read_raw(struct image_raw *raw, struct image_in *in, const char *path)
 {
 	struct raw_taking t = { raw, in, STATUS_OK };
@@ -172,6 +194,8 @@ enum status oiio_read_raw(struct image_raw *raw, struct image_in *in, const char
 		return STATUS_SCENE;
 	switch (io->read_raw(path, take_raw, &t, error, sizeof(error))) {
 	case 0:
+		if (raw->depth == IMAGE_FLOAT && !strcmp(raw->format, "hdr"))
+			centre(raw);
 		return STATUS_OK;
 	case 2:
 		return t.status;

@@ -185,6 +185,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/uv-object.exr \
 	tests/features/uv.exr \
 	tests/features/union.exr \
+	tests/features/pictures/bright.exr \
 	tests/features/pictures/bright.hdr \
 	tests/features/pictures/clear.png \
 	tests/features/pictures/colour.png \

@@ -38,10 +38,22 @@ static double member(const double *v, uint32_t m)
 	return single(0.996093 * v[0] + 0.003906 * v[1]); /* hf: red as the high, green as the low byte */
 }
 
+/* A call, or a turn of a loop, was made; false: there were too many. */
+static bool turn(struct machine *m)
+{
+	if (++m->turns <= FUNCTION_TURNS)
+		return true;
+	m->endless = true;
+	return false;
+}
+
 static double call(struct machine *m, const struct function_call *c, const double *arg, double *free_reg)
 {
 	double out[FUNCTION_RESULTS] = { 0 };
 
+	/* A function that calls another twice, which calls another twice ... */
+	if (!turn(m))
+		return (double)NAN;
 	for (uint32_t i = 0; i < c->function->params; i++)
 		free_reg[i] = arg[i];
 	evaluate(m, c->function, free_reg, out);
@@ -86,15 +98,6 @@ static double math_two(enum function_code code, double a, double b)
 	case OP_MOD: return fmod(a, b);
 	default: return pow(a, b);
 	}
-}
-
-/* A turn of a loop was made; false: there were too many. */
-static bool turn(struct machine *m)
-{
-	if (++m->turns <= FUNCTION_TURNS)
-		return true;
-	m->endless = true;
-	return false;
 }
 
 static double run(struct machine *m, const struct function *f, double *r)

@@ -12,7 +12,7 @@
 #include "scene/function.h"
 #include "scene/scene.h"
 
-/* Turns of sum() and prod() in one evaluation, at most; where there are more the value is NaN. */
+/* Calls, and turns of sum() and prod(), in one evaluation, at most; where there are more the value is NaN. */
 #define FUNCTION_TURNS 10000000u
 
 /* arg: f's params; out: its results. Returns the turns that were made, for whoever keeps an account. */

@@ -76,6 +76,7 @@ struct function {
 	uint32_t params, results;
 	uint32_t registers; /* of this one; the first are its arguments */
 	uint32_t total; /* with those of what it calls */
+	uint64_t hash; /* of all that it is and calls, but for patterns and pigments, which the scene lists */
 	union {
 		struct {
 			uint32_t op_count, constant_count, call_count;

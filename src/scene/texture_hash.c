@@ -116,23 +116,6 @@ static uint64_t hash_texture(uint64_t h, const struct texture *t)
 	return h;
 }
 
-/* Of functions that it calls only the number: they could be many more than there are. */
-static uint64_t hash_function(uint64_t h, const struct function *f)
-{
-	h = HASH(h, f->kind);
-	if (f->kind == FUNCTION_INTERNAL)
-		return HASH(h, f->is.internal);
-	if (f->kind == FUNCTION_TRANSFORM)
-		return HASH(h, f->is.place);
-	if (f->kind != FUNCTION_PROGRAM)
-		return h;
-	h = hash_bytes(h, f->is.program.op, f->is.program.op_count * sizeof(*f->is.program.op));
-	h = hash_bytes(h, f->is.program.constant,
-		       f->is.program.constant_count * sizeof(*f->is.program.constant));
-	h = HASH(h, f->is.program.result);
-	return HASH(h, f->is.program.call_count);
-}
-
 /* The union was cleared before it was filled. */
 static uint64_t hash_parameters(uint64_t h, const struct pattern *q)
 {
@@ -145,7 +128,7 @@ static uint64_t hash_parameters(uint64_t h, const struct pattern *q)
 	case PATTERN_PIGMENT:
 		return hash_pigment(h, q->of.pigment);
 	case PATTERN_FUNCTION:
-		return hash_function(h, q->of.function);
+		return HASH(h, q->of.function->hash);
 	default:
 		return HASH(h, q->of);
 	}

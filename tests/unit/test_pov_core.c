@@ -228,6 +228,25 @@ static void harmless(void **state)
 	}
 }
 
+/* What would never end is not a number. */
+static void endless_functions(void **state)
+{
+	static const char *const text[] = {
+		"#declare F = function { sum(i, 1, 1e15, i) } #debug str(F(1, 2, 3), 0, 0)",
+		"#declare F = function { sum(i, 1e17, 2e17, i) } #debug str(F(1, 2, 3), 0, 0)",
+		"#declare F = function { x } #local I = 0; #while (I < 40) #declare F = function { F(y, x, z) + "
+		"F(x, y, z) } #local I = I + 1; #end #debug str(F(1, 2, 3), 0, 0)",
+	};
+	static struct heard h;
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(text) / sizeof(text[0]); i++) {
+		read_text(text[i], NULL, &h);
+		assert_string_equal(h.error, "");
+		assert_string_equal(h.debug, "nan");
+	}
+}
+
 static void lenient(void **state)
 {
 	const struct read_options o = { .lenient = true };
@@ -482,7 +501,8 @@ static void numbers(void **state)
 int main(void)
 {
 	const struct CMUnitTest test[] = {
-		cmocka_unit_test(golden), cmocka_unit_test(errors), cmocka_unit_test(harmless),
+		cmocka_unit_test(golden), cmocka_unit_test(errors), cmocka_unit_test(endless_functions),
+		 cmocka_unit_test(harmless),
 		cmocka_unit_test(lenient), cmocka_unit_test(nesting), cmocka_unit_test(limits),
 		cmocka_unit_test(limit_names), cmocka_unit_test(stopping), cmocka_unit_test(includes),
 		cmocka_unit_test(ini), cmocka_unit_test(numbers),

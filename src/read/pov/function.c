@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "pattern/function.h"
+#include "scene/hash.h"
 
 #define PI 3.14159265358979323846
 
@@ -495,6 +496,41 @@ static void read_body(struct program *g)
 	f->registers = f->total = f->params;
 }
 
+/* Of what is called, the hash is known: it may be called more often than there is time to follow. */
+static uint64_t hash_program(uint64_t h, const struct function *f)
+{
+	h = hash_bytes(h, f->is.program.op, f->is.program.op_count * sizeof(*f->is.program.op));
+	h = hash_bytes(h, f->is.program.constant, f->is.program.constant_count * sizeof(*f->is.program.constant));
+	for (uint32_t i = 0; i < f->is.program.call_count; i++) {
+		h = HASH(h, f->is.program.call[i].function->hash);
+		h = HASH(h, f->is.program.call[i].member);
+	}
+	return HASH(h, f->is.program.result);
+}
+
+static uint64_t hash_spline(uint64_t h, const struct spline *s)
+{
+	h = HASH(h, s->kind);
+	h = HASH(h, s->terms);
+	h = hash_bytes(h, s->at, s->count * sizeof(*s->at));
+	return hash_bytes(h, s->value, s->count * FUNCTION_RESULTS * sizeof(*s->value));
+}
+
+static uint64_t hash_function(const struct function *f)
+{
+	uint64_t h = 14695981039346656037u;
+
+	h = HASH(h, f->kind);
+	h = HASH(h, f->params);
+	switch (f->kind) {
+	case FUNCTION_PROGRAM: return hash_program(h, f);
+	case FUNCTION_INTERNAL: return HASH(h, f->is.internal);
+	case FUNCTION_TRANSFORM: return HASH(h, f->is.place);
+	case FUNCTION_SPLINE: return hash_spline(h, f->is.spline);
+	default: return h;
+	}
+}
+
 struct pov_function *function_read(struct pov *p)
 {
 	struct program g = {
@@ -517,7 +553,10 @@ struct pov_function *function_read(struct pov *p)
 	pov_expect(p, TOK_RIGHT_BRACE, "at the end of the function");
 	pov_unnest(p);
 	program_release(&g);
-	return pov_failed(p) ? NULL : g.out;
+	if (pov_failed(p))
+		return NULL;
+	g.out->function.hash = hash_function(&g.out->function);
+	return g.out;
 }
 
 bool function_of_points(struct pov *p, const struct diag_pos *pos, const struct pov_function *f)

@@ -47,7 +47,7 @@ RADIOSITY = re.compile(r'\bradiosity\s*\{[^{}]*\}')
 # What the add-on's coarse cache is an approximation of.
 HIGH = {'count': '1600', 'error_bound': '0.1', 'nearest_count': '10', 'pretrace_start': '0.08',
         'minimum_reuse': '0.002'}
-RANDOM = re.compile(r'\b(?:jitter|aperture|media|crand)\b')
+RANDOM = re.compile(r'\b(?:jitter|aperture|crand)\b')
 
 
 class Outcome:

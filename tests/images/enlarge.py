@@ -31,6 +31,10 @@ def enlarge(text, factor):
     text = re.sub(r'(\bfog\s*\{\s*distance\s+)([-+.\deE]+)',
                   lambda m: '%s%.9g' % (m.group(1), float(m.group(2)) * factor), text)
 
+    # What media do per unit of length.
+    text = re.sub(r'(\bscattering\s*\{\s*\d\s*,\s*|\babsorption\s+|\bemission\s+)(?=[\d.]+\s*[*/]\s*<)',
+                  lambda m: '%s%.9g*' % (m.group(1), 1 / factor), text)
+
     def camera(match):
         block = re.sub(r'(\btranslate\s*)' + VECTOR, _times(factor), match.group(0))
         if 'orthographic' in block:

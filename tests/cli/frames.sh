@@ -60,6 +60,25 @@ for i in 1 2 3; do
 	ok "gives frame $i" cmp skin$i.ppm skin-alone$i.ppm
 done
 ok "which moves" fails 1 cmp -s skin2.ppm skin3.ppm
+# Whatever else there is, under a camera that moves over shapes that stay.
+cat >much.pov <<'END'
+#version 3.7;
+global_settings { assumed_gamma 1 radiosity { count 20 error_bound 0.5 recursion_limit 2 } }
+camera { location <0.3 * clock, 1, -5> look_at 0 }
+light_source { <3, 5, -4>, 1 }
+fog { distance 20 color rgb 0.5 }
+sky_sphere { pigment { gradient y color_map { [0 rgb 1] [1 rgb z] } } }
+difference { box { -1, 1 } sphere { 0, 1.2 } pigment { rgb x } translate -1.5 * x }
+blob { threshold 0.5 sphere { 0, 1, 1 } sphere { 0.8 * x, 1, 1 } pigment { rgbt <0, 1, 0, 0.5> } interior { ior 1.3 } }
+sphere_sweep { linear_spline 3, <-1, 1, 0>, 0.1, <0, 2, 0>, 0.2, <1, 1, 0>, 0.1 pigment { rgb 1 } }
+plane { y, -1 pigment { checker rgb 1, rgb 0.2 } normal { bumps 0.5 } }
+END
+for how in exact cache; do
+	ok "much, $how" run --indirect=$how --range=1..3 -o much.ppm --stats=much.json much.pov
+	is "is built once" "$(grep -c '"structure_reused": true' much.json)" 2
+	ok "alone" run --indirect=$how --range=1..3 -f 3 -o much-alone.ppm much.pov
+	ok "is the same" cmp much3.ppm much-alone3.ppm
+done
 # Pictures are read once, unless they change or nobody wants them any more.
 cat >picture.pov <<'END'
 #version 3.7;

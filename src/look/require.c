@@ -51,7 +51,7 @@ static void print_objects(const struct scene *s, const struct features *f, FILE 
 		[SHAPE_MESH] = "mesh", [SHAPE_SPHERE] = "sphere", [SHAPE_BOX] = "box",
 		[SHAPE_CONE] = "cone or cylinder", [SHAPE_PLANE] = "plane", [SHAPE_DISC] = "disc",
 		[SHAPE_TORUS] = "torus", [SHAPE_SUPERELLIPSOID] = "superellipsoid",
-		[SHAPE_SWEEP] = "sphere_sweep", [SHAPE_BLOB] = "blob",
+		[SHAPE_SWEEP] = "sphere_sweep", [SHAPE_BLOB] = "blob", [SHAPE_LATHE] = "lathe",
 		[SHAPE_UNION] = "union", [SHAPE_MERGE] = "merge",
 		[SHAPE_INTERSECTION] = "intersection",
 	};

@@ -6,6 +6,7 @@ src_libalidade_la_SOURCES += \
 	src/prim/cone.c \
 	src/prim/csg.c src/prim/csg.h \
 	src/prim/disc.c \
+	src/prim/lathe.c \
 	src/prim/layout.c src/prim/layout.h \
 	src/prim/mesh.c \
 	src/prim/plane.c \

@@ -239,6 +239,9 @@ static void dump_shape(const struct object *o, FILE *to)
 	case SHAPE_SWEEP:
 		fprintf(to, " sweep %u", o->shape.sweep);
 		break;
+	case SHAPE_LATHE:
+		fprintf(to, " lathe %u", o->shape.lathe.index);
+		break;
 	case SHAPE_BLOB:
 		fprintf(to, " blob %u", o->shape.blob);
 		break;

@@ -62,6 +62,7 @@ void scene_release(struct scene *s)
 	mem_free(s->mesh);
 	mem_free(s->sweep);
 	mem_free(s->blob);
+	mem_free(s->lathe);
 	mem_free(s->object);
 	arena_release(&s->arena);
 }
@@ -186,6 +187,20 @@ uint32_t scene_add_sweep(struct scene *s, uint32_t points)
 	s->sweep = p;
 	if (i != SCENE_NONE)
 		s->sweep[i] = (struct sweep){ .count = points, .point = point };
+	return i;
+}
+
+uint32_t scene_add_lathe(struct scene *s, uint32_t points)
+{
+	void *point = arena_zalloc(&s->arena, mem_product(points, sizeof(*s->lathe->point))), *p = s->lathe;
+	uint32_t i;
+
+	if (!point)
+		return SCENE_NONE;
+	i = grow(s, &p, &s->lathe_count, &s->lathe_room, sizeof(*s->lathe));
+	s->lathe = p;
+	if (i != SCENE_NONE)
+		s->lathe[i] = (struct lathe){ .count = points, .point = point };
 	return i;
 }
 
@@ -353,6 +368,10 @@ static uint64_t hash_shapes(uint64_t h, const struct scene *s)
 	for (uint32_t i = 0; i < s->sweep_count; i++) {
 		h = HASH(h, s->sweep[i].kind);
 		h = hash_words(h, s->sweep[i].point, s->sweep[i].count * sizeof(*s->sweep[i].point));
+	}
+	for (uint32_t i = 0; i < s->lathe_count; i++) {
+		h = HASH(h, s->lathe[i].kind);
+		h = hash_words(h, s->lathe[i].point, s->lathe[i].count * sizeof(*s->lathe[i].point));
 	}
 	for (uint32_t i = 0; i < s->blob_count; i++)
 		h = hash_blob(h, &s->blob[i]);

@@ -131,6 +131,15 @@ struct blob {
 	struct blob_part *part; /* in the arena */
 };
 
+enum lathe_kind { LATHE_LINEAR, LATHE_QUADRATIC, LATHE_CUBIC, LATHE_BEZIER };
+
+/* A spline of these points (distance from the y axis, and y) turned about that axis. */
+struct lathe {
+	enum lathe_kind kind;
+	uint32_t count; /* at least 2, 3, 4, or a multiple of 4 */
+	double (*point)[2]; /* in the arena */
+};
+
 enum shape_kind {
 	SHAPE_MESH,
 	SHAPE_SPHERE,
@@ -142,6 +151,7 @@ enum shape_kind {
 	SHAPE_SUPERELLIPSOID,
 	SHAPE_SWEEP,
 	SHAPE_BLOB,
+	SHAPE_LATHE,
 	SHAPE_UNION, /* this and those below have children */
 	SHAPE_MERGE,
 	SHAPE_INTERSECTION, /* a difference is one with inverses */
@@ -202,6 +212,9 @@ struct object {
 			double a, b; /* > 0; east-west and north-south: (|x|^(2/a) + |y|^(2/a))^(a/b) +
 					|z|^(2/b) = 1 */
 		} superellipsoid;
+		struct {
+			uint32_t index, pieces; /* of scene.lathe; how many curves it is made of */
+		} lathe;
 	} shape;
 	struct diag_pos pos;
 };
@@ -276,6 +289,8 @@ struct scene {
 	struct mesh *mesh; /* arrays by mem_alloc */
 	uint32_t sweep_count, sweep_room;
 	struct sweep *sweep;
+	uint32_t lathe_count, lathe_room;
+	struct lathe *lathe;
 	uint32_t blob_count, blob_room;
 	struct blob *blob;
 	uint32_t object_count, object_room;
@@ -295,6 +310,7 @@ uint32_t scene_add_texture(struct scene *, uint32_t layers);
 uint32_t scene_add_interior(struct scene *);
 uint32_t scene_add_mesh(struct scene *);
 uint32_t scene_add_sweep(struct scene *, uint32_t points);
+uint32_t scene_add_lathe(struct scene *, uint32_t points);
 uint32_t scene_add_blob(struct scene *, uint32_t parts);
 uint32_t scene_add_object(struct scene *);
 struct picture *scene_add_picture(struct scene *);

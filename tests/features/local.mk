@@ -55,6 +55,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/interior-texture.pov \
 	tests/features/irid-wavelength.pov \
 	tests/features/irid.pov \
+	tests/features/lathes.pov \
 	tests/features/layers.pov \
 	tests/features/legacy-layers.pov \
 	tests/features/looks-like.pov \
@@ -149,6 +150,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/interior-texture.exr \
 	tests/features/irid-wavelength.exr \
 	tests/features/irid.exr \
+	tests/features/lathes.exr \
 	tests/features/layers.exr \
 	tests/features/legacy-layers.exr \
 	tests/features/looks-like.exr \

@@ -309,6 +309,61 @@ static void blob_rays_leave(void **state)
 	}
 }
 
+/* A closed profile, the axis left out or touched. */
+static void add_lathe(struct world *w, enum lathe_kind kind, double size, bool hollow, uint64_t *seed)
+{
+	struct object *o = add(w, SHAPE_LATHE);
+	uint32_t n = 8, i = scene_add_lathe(&w->scene, kind == LATHE_LINEAR ? n + 1 : n + 3);
+	struct lathe *l = &w->scene.lathe[i];
+
+	l->kind = kind;
+	o->shape.lathe.index = i;
+	for (uint32_t k = 0; k < l->count; k++) {
+		double a = 6.283185307179586 * (k % n) / n;
+
+		l->point[k][0] = k < n ? size * (hollow ? 1.2 + cos(a) * (0.5 + 0.5 * uniform(seed)) :
+							  0.5 * fabs(1 + cos(a)) * (0.5 + uniform(seed))) :
+					 l->point[k - n][0];
+		l->point[k][1] = k < n ? size * sin(a) * (0.5 + 0.5 * uniform(seed)) : l->point[k - n][1];
+	}
+}
+
+/* Rays of all kinds; level, upright, and through the axis too. */
+static void lathes_are_closed(void **state)
+{
+	uint64_t seed = 10;
+
+	(void)state;
+	for (unsigned n = 0; n < 16; n++) {
+		double size = pow(10, 4.0 * (n / 4) - 6);
+		struct world w;
+
+		begin(&w);
+		add_lathe(&w, n & 1 ? LATHE_CUBIC : LATHE_LINEAR, size, true, &seed);
+		build(&w);
+		for (unsigned i = 0; i < 1500; i++) {
+			vec p = vec_scale(random_vec(&seed), 1.5 * size), d = random_unit(&seed);
+			unsigned count = 0;
+			ald_ray r;
+			ald_hit h;
+
+			if (i % 4 == 1)
+				d.y *= pow(10, -16 * uniform(&seed));
+			if (i % 4 == 2)
+				d = vec_make(d.x * pow(10, -16 * uniform(&seed)), d.y, 0);
+			if (i % 8 == 3)
+				d = i % 16 == 3 ? vec_make(0, 1, 0) : vec_make(1, 0, 0);
+			if (vec_length(d) < 0.1)
+				continue;
+			r = ray(p, vec_scale(d, size));
+			for (h = nearest(&w, &r); h.prim != ALD_NONE; h = nearest(&w, &r), count++)
+				trace_after(&r, &h);
+			assert_int_equal(count & 1, within(&w, p));
+		}
+		end(&w);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -317,6 +372,7 @@ int main(void)
 		cmocka_unit_test(secondary_rays_leave),
 		cmocka_unit_test(blobs_are_closed),
 		cmocka_unit_test(blob_rays_leave),
+		cmocka_unit_test(lathes_are_closed),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -60,6 +60,18 @@ static uint32_t some_sweep(struct world *w, enum sweep_kind kind, uint64_t *seed
 	return i;
 }
 
+static uint32_t some_lathe(struct world *w, enum lathe_kind kind, uint64_t *seed)
+{
+	uint32_t i = scene_add_lathe(&w->scene, 6);
+
+	w->scene.lathe[i].kind = kind;
+	for (unsigned n = 0; n < 6; n++) {
+		w->scene.lathe[i].point[n][0] = uniform(seed);
+		w->scene.lathe[i].point[n][1] = signed_uniform(seed);
+	}
+	return i;
+}
+
 static uint32_t some_blob(struct world *w, uint64_t *seed)
 {
 	uint32_t i = scene_add_blob(&w->scene, 5);
@@ -86,7 +98,7 @@ static void crowd(struct world *w, double size)
 	shell_sphere(&shell, 6, 1000, 0.2, &seed);
 	shared = shell_mesh(w);
 	once = shell_mesh(w);
-	for (unsigned i = 0; i < 70; i++) {
+	for (unsigned i = 0; i < 77; i++) {
 		enum shape_kind kind = (enum shape_kind)(i % SHAPE_UNION);
 		struct object *o = add(w, kind);
 
@@ -94,7 +106,7 @@ static void crowd(struct world *w, double size)
 		o->place = i & 8 ? o[-8].place : some_place(&seed, i, size);
 		o->flags = i % 7 == 3 ? OBJECT_NO_IMAGE : i % 7 == 5 ? OBJECT_NO_SHADOW : 0;
 		if (kind == SHAPE_MESH)
-			o->shape.mesh = i == 40 ? once : shared;
+			o->shape.mesh = i == 44 ? once : shared;
 		else if (kind == SHAPE_SPHERE)
 			o->shape.sphere.radius = 1;
 		else if (kind == SHAPE_BOX)
@@ -112,6 +124,8 @@ static void crowd(struct world *w, double size)
 		}
 		if (kind == SHAPE_SUPERELLIPSOID)
 			o->shape.superellipsoid.a = 0.5 + i / 100.0, o->shape.superellipsoid.b = 1.5;
+		if (kind == SHAPE_LATHE)
+			o->shape.lathe.index = some_lathe(w, i & 16 ? LATHE_CUBIC : LATHE_LINEAR, &seed);
 		if (kind == SHAPE_BLOB)
 			o->shape.blob = some_blob(w, &seed);
 		if (kind == SHAPE_SWEEP)

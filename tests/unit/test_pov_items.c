@@ -480,7 +480,9 @@ static void test_unsupported(void **unused)
 {
 	static const char *const row[][2] = {
 		{ "isosurface { function { x } }", "1:1: error: isosurface is" },
-		{ "lathe { linear_spline 2, <0,0>, <1,1> }", "1:1: error: lathe is" },
+		{ "prism { linear_spline 0, 1, 4, <0,0>, <1,1>, <1,0>, <0,0> }", "1:1: error: prism is" },
+		{ "lathe { linear_spline 2, <0,0>, <1,1> pigment { uv_mapping checker rgb 0 rgb 1 } }",
+		  "1:1: error: uv_mapping of a lathe is" },
 		{ "text { ttf \"a.ttf\" \"Hi\" 1, 0 }", "1:1: error: text is" },
 		{ "sphere { 0, 1\n pigment { tiling 3 } }", "2:12: error: tiling in a pigment is" },
 		{ "#declare P = pigment { tiling 1 }\nsphere { 0, 1 pigment { P } }",

@@ -209,6 +209,7 @@ struct pov_object *pov_read_mesh2(struct pov *, const struct diag_pos *at);
 struct pov_object *pov_read_triangle(struct pov *, const struct diag_pos *at, bool smooth);
 /* The numbers of shapes that have a file of their own. */
 void pov_read_sweep(struct pov *, struct object *);
+void pov_read_lathe(struct pov *, struct object *);
 struct pov_object *pov_read_blob(struct pov *, struct pov_object *);
 /* Any object; not one: NULL and nothing read, or after an error. */
 struct pov_object *pov_read_object(struct pov *);

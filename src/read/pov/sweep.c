@@ -1,7 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * sphere_sweep (manual 3.4.5.1.13).
+ * sphere_sweep (manual 3.4.5.1.13) and lathe (3.4.5.1.8): shapes given as a spline's points.
  */
 #include <config.h>
 
@@ -79,6 +79,84 @@ void pov_read_sweep(struct pov *p, struct object *o)
 			w = &pov_scene(p)->sweep[o->shape.sweep];
 			w->kind = kind;
 			memcpy(w->point, b.data, n * b.size);
+		}
+	}
+	buf_release(&b);
+}
+
+static bool read_lathe_kind(struct pov *p, enum lathe_kind *kind)
+{
+	*kind = LATHE_LINEAR;
+	switch (pov_token(p)) {
+	case TOK_LINEAR_SPLINE:
+		break;
+	case TOK_QUADRATIC_SPLINE:
+		*kind = LATHE_QUADRATIC;
+		break;
+	case TOK_CUBIC_SPLINE:
+		*kind = LATHE_CUBIC;
+		break;
+	case TOK_BEZIER_SPLINE:
+		*kind = LATHE_BEZIER;
+		break;
+	default:
+		return pov_starts_number(p);
+	}
+	pov_next(p);
+	return true;
+}
+
+static void read_flat_points(struct pov *p, struct buf *b, uint32_t n)
+{
+	for (uint32_t i = 0; i < n && !pov_failed(p); i++) {
+		struct diag_pos at;
+		double *point;
+
+		if (!buf_reserve(b, pov_book(p), "scene", 1)) {
+			pov_no_memory(p);
+			return;
+		}
+		pov_comma(p);
+		at = pov_here(p);
+		point = (double *)b->data + 2 * (size_t)b->count++;
+		pov_vector2(p, &point[0], &point[1]);
+		if (!pov_failed(p) && !(isfinite(point[0]) && isfinite(point[1])))
+			pov_fail_at(p, &at, "the lathe's point has a component that is not a finite number");
+		else if (point[0] < 0)
+			pov_fail_at(p, &at, "the lathe's point lies at radius %g, but cannot lie beyond the axis",
+				    point[0]);
+	}
+}
+
+void pov_read_lathe(struct pov *p, struct object *o)
+{
+	static const uint32_t least[] = { [LATHE_LINEAR] = 2, [LATHE_QUADRATIC] = 3, [LATHE_CUBIC] = 4,
+					  [LATHE_BEZIER] = 4 };
+	struct buf b = { .size = 2 * sizeof(double) };
+	struct diag_pos at;
+	enum lathe_kind kind;
+	uint32_t n, i;
+
+	if (!read_lathe_kind(p, &kind)) {
+		pov_fail(p, "a kind of spline or a number of points is expected in lathe { ... }, not %s",
+			 pov_text(p));
+		return;
+	}
+	pov_comma(p);
+	at = pov_here(p);
+	n = pov_count(p, "points in a lathe", least[kind], read_limits_fill(&pov_options(p)->limits).elements);
+	if (!pov_failed(p) && kind == LATHE_BEZIER && n % 4)
+		pov_fail_at(p, &at, "a lathe of bezier_spline has four points for each piece, not %u in all", n);
+	read_flat_points(p, &b, n);
+	if (!pov_failed(p)) {
+		i = scene_add_lathe(pov_scene(p), n);
+		if (i == SCENE_NONE) {
+			pov_no_memory(p);
+		} else {
+			pov_scene(p)->lathe[i].kind = kind;
+			memcpy(pov_scene(p)->lathe[i].point, b.data, n * b.size);
+			o->shape.lathe.index = i;
+			o->shape.lathe.pieces = kind == LATHE_BEZIER ? n / 4 : n + 1 - least[kind];
 		}
 	}
 	buf_release(&b);

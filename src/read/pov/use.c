@@ -179,6 +179,14 @@ static bool use_blob(struct pov *p, struct pov_blob *b, bool uv, const struct xf
 	return !pov_failed(p);
 }
 
+/* A lathe has surface coordinates of its own, which are not there yet. */
+static bool check_uv(struct pov *p, const struct pov_object *o, uint32_t texture)
+{
+	if (o->object.kind != SHAPE_LATHE || texture == SCENE_NONE || !pov_scene(p)->texture[texture].wants_uv)
+		return true;
+	return pov_unsupported(p, &o->object.pos, "uv_mapping of a lathe", NULL);
+}
+
 /* Flags, textures and interior of a shape that is no union. */
 static bool use_look(struct pov *p, struct pov_object *o, const struct context *c, struct object *out)
 {
@@ -198,6 +206,8 @@ static bool use_look(struct pov *p, struct pov_object *o, const struct context *
 		out->texture = use_texture(p, t ? t : pov_default_texture(p), o->uv);
 	if (c->interior_texture)
 		out->interior_texture = use_texture(p, c->interior_texture, o->uv);
+	if (!check_uv(p, o, out->texture) || !check_uv(p, o, out->interior_texture))
+		return false;
 	out->texture_place = use_place(p, out->texture, place);
 	out->interior_texture_place = use_place(p, out->interior_texture, &c->interior_texture_place);
 	out->flags |= c->flags | c->hollow | c->double_illuminate;

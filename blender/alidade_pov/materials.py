@@ -509,9 +509,15 @@ class Materials:
         colour = self.painter.constant(lobe.paint, self.where)
         if metal:
             finish.metal(lobe.weight * share, colour)
-            finish.rough_metal.append((lobe.weight * (1 - share), lobe))
+            if colour is not None:
+                finish.hue = finish.hue + lobe.weight * colour
+                finish.hues += lobe.weight
+            # What a blurred mirror shows of its surroundings is said by diffuse, but that answers to lamps as well, so
+            # both it and the highlight are less. Tuned beside Cycles; a rough GGX lobe loses light.
+            blurred = (1 - share) * 0.45 * (1 - 0.45 * lobe.roughness ** 3)
+            finish.rough_metal.append((lobe.weight * blurred, lobe))
             finish.shine(highlight(lobe.roughness, 1.0 if colour is None else float(max(colour.max(), 1e-6))),
-                         lobe.weight, metallic=True)
+                         lobe.weight * (1 - 0.5 * (1 - share)), metallic=True)
             return
         finish.mirror(lobe.weight * share * f0, lobe.weight * share)
         finish.shine(highlight(lobe.roughness, f0), lobe.weight)
@@ -524,38 +530,41 @@ class Materials:
         behind = values.get('translucent')
         clear = values.get('transparent', np.zeros(3)) + values.get('glass', np.zeros(3))
         emission = values.get('emission')
-        metal = finish.metal_colour
         through = float(clear.max())
-        colour = diffuse
-        if behind is not None:
-            colour = np.maximum(diffuse, behind)
-        body_filter = transmit = 0.0
-        opaque = 1.0
-        if through > 0:
-            if colour.max() > 0:
-                transmit = min(float(clear.mean()), 1.0)
-                opaque = max(1.0 - transmit, 1e-3)
-                if clear.max() - clear.min() > 0.02:
-                    self.losses.lost(self.where, 'Color', '-', 'colour of the light let through beside a surface of '
-                                     'another colour; its grey stands for it')
-            else:
-                colour, body_filter = clear / through, min(through, 1.0)
-                opaque = 1.0
-        elif colour.max() <= 0 and metal is not None and metal.max() > 0:
-            colour = metal
-        if emission is not None and emission.max() > 0 and colour.max() <= 0:
+        colour = diffuse if behind is None else np.maximum(diffuse, behind)
+        if np.any(finish.hue > 0):
+            # Highlights of metal have the pigment's colour, so that is the metal's wherever the rest is like it.
+            metal = finish.hue / finish.hues
+            part = colour.max() / metal.max()
+            if np.allclose(colour, part * metal, atol=0.02):
+                colour = metal
+        if through > 0 and colour.max() > 0:
+            transmit, filtered = min(float(clear.mean()), 1.0), 0.0
+            if clear.max() - clear.min() > 0.02:
+                self.losses.lost(self.where, 'Color', '-', 'colour of the light let through beside a surface of '
+                                 'another colour; its grey stands for it')
+        else:
+            transmit, filtered = 0.0, min(through, 1.0)
+            if through > 0:
+                colour = clear / through
+        if colour.max() <= 0 and emission is not None and emission.max() > 0:
             colour = emission / emission.max()
+        if emission is not None and emission.max() > 0:
+            # Emission is weighed by what is opaque (measured), so something must be.
+            transmit, filtered = min(transmit, 0.98), min(filtered, 0.98)
+        opaque = max(1.0 - transmit, 1e-3)
         if emission is not None:
             colour = np.where(emission > 0, np.maximum(colour, 2e-3), colour)
-            finish.emission = np.where(emission > 0, emission / np.maximum(colour / opaque, 1e-6), 0.0)
-        scale = colour / opaque if not body_filter else colour
-        if diffuse.max() > 0 or behind is not None:
-            base = np.maximum(np.asarray(colour), 1e-9)
-            finish.diffuse = float((diffuse / base).max()) if behind is not None else 1.0
-            if behind is not None:
-                finish.behind = float((behind / base).max())
-        finish.pigment_colour = scale
-        return 'pigment { rgb%s }' % _rgbft(scale, body_filter, transmit)
+        base = np.maximum(colour, 1e-9)
+        if emission is not None:
+            finish.emission = np.where(emission > 0, emission / base, 0.0) / (1.0 - transmit - filtered)
+        finish.diffuse = float((diffuse / base).max()) / opaque
+        if behind is not None:
+            finish.behind = float((behind / base).max()) / opaque
+        if not filtered and finish.diffuse > 1 and not finish.hues and behind is None:
+            # A brighter pigment instead, so that diffuse is 1 as in most materials.
+            colour, finish.emission, finish.diffuse = colour * finish.diffuse, finish.emission / finish.diffuse, 1.0
+        return 'pigment { rgb%s }' % _rgbft(colour, filtered, transmit)
 
     def _shared(self, lobes, varying, finish, look):
         """One colour that varies, for all lobes of it."""
@@ -577,7 +586,6 @@ class Materials:
         for weight, lobe in finish.rough_metal:
             finish.diffuse += weight
         finish.metal_colour = None if finish.metal_weight else finish.metal_colour
-        finish.use_pigment = True
         if clear:
             finish.diffuse /= max(1.0 - min(clear, 1.0), 1e-3) if clear < 1 else 1.0
             body = pigment.body.replace('interpolate 2', 'interpolate 2 filter all %s' % text.number(min(clear, 1.0))) \
@@ -616,8 +624,7 @@ class Finish:
         self.specular, self.size, self.metallic = 0.0, 0.0, False
         self.refracts = 0.0
         self.rough_metal = []
-        self.use_pigment = False
-        self.pigment_colour = None
+        self.hue, self.hues = np.zeros(3), 0.0      # the metals' colour and weight
 
     def mirror(self, low, high):
         self.low += low

@@ -374,7 +374,7 @@ class Export:
         words = ['assumed_gamma 1', 'max_trace_level %d' % depth]
         wanted = self.options.radiosity
         if wanted == 'on' or wanted == 'auto' and bounces > 0:
-            words.append('radiosity {\npretrace_start 0.08 pretrace_end 0.01 count 200 nearest_count 10 error_bound 0.5\n'
+            words.append('radiosity {\npretrace_start 0.08 pretrace_end 0.02 count 100 nearest_count 8 error_bound 0.8\n'
                          'recursion_limit %d low_error_factor 0.5 gray_threshold 0 minimum_reuse 0.01 brightness 1\n'
                          'adc_bailout 0.005\n}' % max(bounces, 1))
         return 'global_settings {\n%s\n}\n' % '\n'.join(words)

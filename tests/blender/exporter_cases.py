@@ -183,6 +183,15 @@ def materials():
     has('alpha', text, 'rgbt <0.5,0.5,0.5,0.75>')
     text, _, _ = shader('BsdfPrincipled', Base_Color=(0.5, 0.25, 0.5, 1), Emission=(1, 1, 1, 1), Emission_Strength=2.0)
     has('emission beside a colour', text, 'emission rgb <4,8,4>')
+    text, _, _ = shader('BsdfPrincipled', Base_Color=(0.8, 0.4, 0.2, 1), Metallic=1.0, Roughness=0.6)
+    has('a rough metal keeps its colour for highlights', text, 'pigment { rgb <0.8,0.4,0.2> }', 'metallic')
+
+    def glow(new, tree, output):
+        add = new('AddShader')
+        tree.links.new(new('BsdfTransparent').outputs[0], add.inputs[0])
+        tree.links.new(new('Emission', Strength=0.1).outputs[0], add.inputs[1])
+        tree.links.new(add.outputs[0], output.inputs[0])
+    has('what glows and is clear', on_ball(glow, 'glow')[0], 'rgbf <1,1,1,0.98>', 'emission rgb <5,5,5>')
     _, losses, _ = shader('BsdfPrincipled', Sheen=1.0)
     check('sheen is lost', losses.lost_lines() == ['Mat, Sheen, Principled BSDF: left out'], losses.lost_lines())
     _, losses, _ = shader('BsdfToon')

@@ -89,12 +89,12 @@ def _focus(camera, matrix, turn, location, context):
         context.losses.lost(camera.name_full, 'Aperture', '-', 'blades and ratio of the aperture; drawn round')
     focal = location - turn[:, 2] * distance
     return ['focal_point %s' % text.vector(focal), 'aperture %s' % text.number(aperture(radius)),
-            'blur_samples %d confidence 0.95 variance 1/10000' % context.options.blur_samples]
+            'blur_samples %d confidence 0.99 variance 1/100000' % context.options.blur_samples]
 
 
 def aperture(radius):
-    """POV-Ray's word for the lens's width in scene units (measured: rays start on a disc of half of it)."""
-    return 2.0 * radius
+    """POV-Ray's word for a lens (measured: its rays start on a disc whose radius is a quarter of it)."""
+    return 4.0 * radius
 
 
 def _panorama(out, camera, turn, location, context, label):

@@ -3,7 +3,7 @@
 """Export from the command line:
 
     blender -b FILE.blend -P .../export.py -- OUT.pov [--frame N | --frames A..B[:STEP]] [--strict] [--no-radiosity]
-        [--lamp-grid N] [--blur-samples N]
+        [--lamp-grid N] [--blur-samples N] [--relief N]
 
 Writes OUT.pov, OUT.ini and, where it needs pictures, the folder OUT-pictures. What the scene language cannot say is
 listed on standard error; with --strict it is an error and nothing is written. The exit status is 0 if the scene was
@@ -24,6 +24,8 @@ def arguments(given):
     parser.add_argument('--no-radiosity', action='store_true', help='no indirect light')
     parser.add_argument('--lamp-grid', type=int, default=9, metavar='N', help='points a side of a soft lamp (9)')
     parser.add_argument('--blur-samples', type=int, default=256, metavar='N', help='samples of a lens out of focus (256)')
+    parser.add_argument('--relief', type=int, default=200000, metavar='N',
+                        help='triangles that a mesh with a normal map may become (200000); 0: leave such maps out')
     parser.add_argument('--scene', metavar='NAME', help='this scene instead of the file\'s current one')
     found = parser.parse_args(given)
     if found.frames:
@@ -67,7 +69,8 @@ def main(given):
             print('export.py: the file has no scene "%s"' % found.scene, file=sys.stderr)
             return 2
     options = engine.Options(strict=found.strict, radiosity='off' if found.no_radiosity else 'auto',
-                             lamp_grid=max(found.lamp_grid, 1), blur_samples=max(found.blur_samples, 1))
+                             lamp_grid=max(found.lamp_grid, 1), blur_samples=max(found.blur_samples, 1),
+                             relief=max(found.relief, 0))
     seen = set()
     try:
         if found.frames:

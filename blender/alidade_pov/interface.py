@@ -26,10 +26,14 @@ class EXPORT_SCENE_OT_alidade_pov(bpy.types.Operator, ExportHelper):
     blur_samples: IntProperty(name='Blur samples', default=256, min=4, max=4096,
                               description='Samples a pixel for a camera that is out of focus')
 
+    relief: IntProperty(name='Normal maps', default=200000, min=0,
+                        description='Triangles that a mesh with a normal map may become; 0 leaves such maps out')
+
     def execute(self, context):
         scene = context.scene
         options = engine.Options(strict=self.strict, radiosity='auto' if self.radiosity else 'off',
-                                 lamp_grid=self.lamp_grid, blur_samples=self.blur_samples)
+                                 lamp_grid=self.lamp_grid, blur_samples=self.blur_samples,
+                                 relief=self.relief)
         try:
             if self.animation:
                 frames = engine.export_frames(scene, self.filepath, scene.frame_start, scene.frame_end,

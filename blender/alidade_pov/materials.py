@@ -11,6 +11,7 @@ import numpy as np
 
 from . import text, versions
 from .paints import Paint, Pigment
+from .relief import Relief
 from .values import Place, Points, Tree, as_number, origin
 
 SHARPEST = 0.02         # alpha of the narrowest highlight: a lamp's own size is about as wide
@@ -61,7 +62,7 @@ class Look:
         self.spaces = set()
         self.corner = None              # Paint of vertex colours
         self.corner_text = None         # function: colour text -> texture
-        self.emits = False
+        self.relief = None              # what bends its normals
 
     @property
     def uv(self):
@@ -104,6 +105,7 @@ class Materials:
     def __init__(self, painter, losses, version):
         self.painter, self.losses, self.version = painter, losses, version
         self.text = []
+        self.bake_normals = True
         self._looks = {}
 
     def look(self, material):
@@ -115,8 +117,7 @@ class Materials:
     def _make(self, material):
         look = Look(text.name('T_', material.name_full) if material else 'T')
         self.where = material.name_full if material else '-'
-        tree = Tree(self.losses, self.where)
-        self.tree = tree
+        self.relief = None
         if material is None:
             shader = Leaf([Lobe('diffuse', Paint.constant((0.8, 0.8, 0.8)))])
         elif not material.use_nodes or material.node_tree is None:
@@ -124,6 +125,9 @@ class Materials:
         else:
             shader = self._tree(material)
         body, interior = self.texture(shader, look)
+        look.relief = self.relief
+        if look.relief is not None:
+            look.spaces.add(look.relief.space)
         look.interior = interior
         if look.corner is None:
             self.text.append('#declare %s = %s\n' % (look.name, body))
@@ -200,10 +204,44 @@ class Materials:
     def _normal(self, place):
         for name in ('Normal', 'Coat Normal', 'Clearcoat Normal', 'Tangent'):
             socket = place.node.inputs.get(name)
-            if socket is not None and socket.is_linked:
-                source, _ = origin(Place(place.node, socket, place.stack))
-                if source is not None:
-                    self.losses.lost(self.where, name, source.node.name, 'no normals in a surface\'s own frame')
+            if socket is None or not socket.is_linked:
+                continue
+            source, _ = origin(Place(place.node, socket, place.stack))
+            if source is None:
+                continue
+            relief = self._relief(source) if name == 'Normal' and self.bake_normals else None
+            if relief is None:
+                self.losses.lost(self.where, name, source.node.name, 'no normals in a surface\'s own frame')
+            elif self.relief is None:
+                self.relief = relief
+                self.losses.nearest(self.where, name, source.node.name, 'normals are put into a finer mesh')
+            elif self.relief.node != source.node.name:
+                self.losses.lost(self.where, name, source.node.name, 'a second normal map in one material')
+
+    def _relief(self, source):
+        """A normal or bump map on a UV map, or None."""
+        node = source.node
+        if node.bl_idname == 'ShaderNodeNormalMap' and node.space == 'TANGENT':
+            kind, paint = 'map', self.paint(source, 'Color')
+        elif node.bl_idname == 'ShaderNodeBump' and not node.inputs['Normal'].is_linked:
+            kind, paint = 'bump', self.paint(source, 'Height')
+        else:
+            return None
+        probe = self.painter.probe(paint, self.where)
+        if len(probe.kinds) != 1 or not probe.kinds[0].startswith('uv:') or not probe.images or probe.colours:
+            return None
+        if any(p.node.image is None or p.node.projection != 'FLAT' for p, _ in probe.images):
+            return None
+        width = max(p.node.image.size[0] for p, _ in probe.images)
+        height = max(p.node.image.size[1] for p, _ in probe.images)
+        places = [at for _, at in probe.images]
+        scale = max(np.abs(at[1:3] - at[0]).max() for at in places)
+        strength = self.number(source, 'Strength', 1.0)
+        distance = self.number(source, 'Distance', 1.0) if kind == 'bump' else 0.0
+        if kind == 'bump' and node.invert:
+            distance = -distance
+        return Relief(kind, paint, strength, distance, probe.kinds[0], node.name,
+                      (max(width * scale, 1), max(height * scale, 1)))
 
     def mix(self, factor, socket, a, b):
         """Two shaders by a factor that may vary."""
@@ -520,6 +558,7 @@ class Materials:
                          lobe.weight * (1 - 0.5 * (1 - share)), metallic=True)
             return
         finish.mirror(lobe.weight * share * f0, lobe.weight * share)
+        finish.haze += lobe.weight * (1 - share) * min(1.5 * f0, 1.0)
         finish.shine(highlight(lobe.roughness, f0), lobe.weight)
 
     def _constant(self, values, finish):
@@ -527,6 +566,8 @@ class Materials:
         diffuse = values.get('diffuse', np.zeros(3)).copy()
         for weight, lobe in finish.rough_metal:
             diffuse += weight * self.painter.constant(lobe.paint, self.where)
+        if diffuse.max() > 0:
+            diffuse += finish.haze
         behind = values.get('translucent')
         clear = values.get('transparent', np.zeros(3)) + values.get('glass', np.zeros(3))
         emission = values.get('emission')
@@ -585,6 +626,8 @@ class Materials:
                 clear += lobe.weight
         for weight, lobe in finish.rough_metal:
             finish.diffuse += weight
+        if finish.diffuse > 0 and pigment.mean is not None:
+            finish.diffuse += finish.haze / max(float(np.mean(pigment.mean)), 0.1)
         finish.metal_colour = None if finish.metal_weight else finish.metal_colour
         if clear:
             finish.diffuse /= max(1.0 - min(clear, 1.0), 1e-3) if clear < 1 else 1.0
@@ -624,6 +667,7 @@ class Finish:
         self.specular, self.size, self.metallic = 0.0, 0.0, False
         self.refracts = 0.0
         self.rough_metal = []
+        self.haze = 0.0                     # white that blurred reflections add, on average over directions
         self.hue, self.hues = np.zeros(3), 0.0      # the metals' colour and weight
 
     def mirror(self, low, high):

@@ -354,25 +354,26 @@ class Painter:
         matrix[:2, 2] = 0
         return matrix if _inverse(matrix) is not None else None
 
+    def sampler(self, tree, place, points):
+        """What an image texture shows, for Points: pink where it has no pixels, as Blender draws it."""
+        pixels = self.store.linear(place.node.image)
+        if pixels is None:
+            return np.tile([1.0, 0, 1, 1], (points.count, 1))
+        at = tree.place_vector(place, points)
+        return sample(pixels, at[:, 0], at[:, 1], place.node.interpolation == 'Closest', place.node.extension)
+
     def compute(self, paint, tree, space, matrix, width, height):
         """The paint's values on a grid of the texture's own square, top row first."""
         inverse = _inverse(matrix)
         rows = []
         u = (np.arange(width) + 0.5) / width
-
-        def sampler(tree, place, points):
-            pixels = self.store.linear(place.node.image)
-            if pixels is None:
-                return np.tile([1.0, 0, 1, 1], (points.count, 1))
-            at = tree.place_vector(place, points)
-            return sample(pixels, at[:, 0], at[:, 1], place.node.interpolation == 'Closest', place.node.extension)
         for row in range(height - 1, -1, -32):
             lines = np.arange(row, max(row - 32, -1), -1)
             v = (lines + 0.5) / height
             square = np.stack([np.tile(u, len(lines)), np.repeat(v, width), np.zeros(width * len(lines)),
                                np.ones(width * len(lines))], 1)
             uv = square @ inverse[:3].T
-            points = Points(len(uv), coordinates={space: uv}, sampler=sampler)
+            points = Points(len(uv), coordinates={space: uv}, sampler=self.sampler)
             rows.append(paint.value(tree, points).reshape(len(lines), width, 3))
         return np.concatenate(rows)
 

@@ -15,6 +15,7 @@ from .images import Store
 from .losses import Losses
 from .materials import Materials
 from .paints import Painter, matrix_text
+from .relief import Refined
 from .values import Points, Tree
 
 MESHES = {'MESH', 'CURVE', 'SURFACE', 'FONT', 'META'}
@@ -28,6 +29,7 @@ class Options:
         self.lamp_grid = 9              # points a side of soft lamps; 1: all lamps are hard
         self.hair_sides = 4
         self.blur_samples = 256
+        self.relief = 200000            # triangles that a mesh with a normal map may become; 0: such maps are lost
         self.exposure = True            # scale light by the view's exposure
         for key, value in settings.items():
             if not hasattr(self, key):
@@ -50,6 +52,7 @@ class Export:
         self.store = Store(os.path.dirname(os.path.abspath(path)), stem + '-pictures')
         self.painter = Painter(self.store, self.losses)
         self.materials = Materials(self.painter, self.losses, version)
+        self.materials.bake_normals = options.relief > 0
         self.draw_world = draw_world
         self.exposure = 2.0 ** self.scene.view_settings.exposure if options.exposure else 1.0
         self.materials.exposure = self.exposure
@@ -161,11 +164,18 @@ class Export:
         groups = {}
         for number in np.unique(slot).tolist():
             look = looks[number]
-            groups.setdefault((look.interior or '', look.uv or '' if look.uv is not None else None), []).append(number)
+            alone = number if look.relief is not None else -1
+            groups.setdefault((look.interior or '', look.uv, alone), []).append(number)
         parts = []
         bounds = triangles.bounds()
-        for (interior, uv), numbers in sorted(groups.items(), key=lambda g: g[1]):
+        whole, slots = triangles, slot
+        for (interior, uv, alone), numbers in sorted(groups.items(), key=lambda g: g[1]):
+            triangles, slot = whole, slots
             chosen = np.arange(triangles.count) if len(groups) == 1 else np.flatnonzero(np.isin(slot, numbers))
+            if alone >= 0 and triangles.uv(uv or None) is not None and looks[alone].corner is None:
+                triangles = Refined(whole, chosen, uv, looks[alone].relief, Tree(self.losses, ob.name_full), self.painter,
+                                    self.options.relief)
+                chosen, slot = np.arange(triangles.count), np.full(triangles.count, alone)
             name = self.unique(ob.data.name_full if ob.data else ob.name_full)
             textures, entries = self._textures(ob, triangles, looks, slot, chosen, numbers, bounds)
             if textures is None:

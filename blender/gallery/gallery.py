@@ -563,7 +563,7 @@ def focus():
     ob = camera((0.8, -8, 1.6), (0, 0, 0.5), 60)
     ob.data.dof.use_dof = True
     ob.data.dof.focus_object = bpy.data.objects['Ball3']
-    ob.data.dof.aperture_fstop = 0.2
+    ob.data.dof.aperture_fstop = 0.3
 
 
 def nodes_scene():
@@ -609,9 +609,43 @@ def nodes_scene():
     camera((0, -7.5, 4.0), (0, 0, 0.4), 48)
 
 
+def relief():
+    """Normal and bump maps, which are put into finer meshes."""
+    start((0.3, 0.32, 0.36))
+    size = 64
+    y, x = (np.mgrid[0:size, 0:size] + 0.5) / size
+
+    def height(x, y):
+        r = np.hypot((x * 4) % 1 - 0.5, (y * 4) % 1 - 0.5)
+        return np.sqrt(np.maximum(0.16 - r * r, 0)) / 0.4
+    step = 1e-4
+    slope = np.stack([height(x + step, y) - height(x, y), height(x, y + step) - height(x, y)], -1) / step * 0.06
+    normal = np.concatenate([-slope, np.ones((size, size, 1))], -1)
+    normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
+    normals = picture('Normals', normal * 0.5 + 0.5, data=True)
+    heights = picture('Heights', np.repeat(height(x, y)[..., None], 3, 2), data=True)
+
+    def bent(name, kind, image, to, **inputs):
+        mat = principled(name, (0.5, 0.35, 0.25), Roughness=0.4)
+        tree = mat.node_tree
+        node, bend = tree.nodes.new('ShaderNodeTexImage'), tree.nodes.new(kind)
+        node.image = image
+        for key, value in inputs.items():
+            bend.inputs[key].default_value = value
+        tree.links.new(node.outputs[0], bend.inputs[to])
+        tree.links.new(bend.outputs[0], tree.nodes['Principled BSDF'].inputs['Normal'])
+        return mat
+    floor(bent('Studs', 'ShaderNodeNormalMap', normals, 'Color'), 8, tiles=4)
+    ball(bent('Golf', 'ShaderNodeNormalMap', normals, 'Color', Strength=1.0), (-1.2, 0, 1.0), 1.0, name='Golf')
+    box(bent('Bumps', 'ShaderNodeBump', heights, 'Height', Strength=1.0, Distance=0.05), (1.2, 0, 0.8), (1.6, 1.6, 1.6),
+        name='Bumps', rotation=(0, 0, 35))
+    lamp('SUN', (0, 0, 5), (3, 2, 0), 2.5, angle=math.radians(1))
+    camera((0, -6.5, 3.5), (0, 0, 0.6), 45)
+
+
 SCENES = {'spheres': spheres, 'lamps': lamps, 'areas': areas, 'sky': sky, 'glass': glass, 'textures': textures,
           'colours': colours, 'instances': instances, 'hair': hair, 'shapes': shapes, 'room': room, 'focus': focus,
-          'shaders': nodes_scene}
+          'shaders': nodes_scene, 'relief': relief}
 
 if __name__ == '__main__':
     try:

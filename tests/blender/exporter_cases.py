@@ -179,9 +179,10 @@ def materials():
     has('emission', text, 'pigment { rgb <1,0.5,0> }', 'emission rgb <4,4,0>')
     text, _, _ = shader('BsdfPrincipled', Base_Color=(0.5, 0.5, 0.5, 1), Roughness=0.0, Specular=0.5)
     has('Principled reflects by Schlick\'s formula', text, 'reflection { rgb <0.04,0.04,0.04>, rgb <1,1,1> falloff 5 }')
-    text, _, _ = shader('BsdfPrincipled', Base_Color=(0.5, 0.5, 0.5, 1), Alpha=0.25)
+    text, _, _ = shader('BsdfPrincipled', Base_Color=(0.5, 0.5, 0.5, 1), Alpha=0.25, Specular=0.0)
     has('alpha', text, 'rgbt <0.5,0.5,0.5,0.75>')
-    text, _, _ = shader('BsdfPrincipled', Base_Color=(0.5, 0.25, 0.5, 1), Emission=(1, 1, 1, 1), Emission_Strength=2.0)
+    text, _, _ = shader('BsdfPrincipled', Base_Color=(0.5, 0.25, 0.5, 1), Emission=(1, 1, 1, 1), Emission_Strength=2.0,
+                         Specular=0.0)
     has('emission beside a colour', text, 'emission rgb <4,8,4>')
     text, _, _ = shader('BsdfPrincipled', Base_Color=(0.8, 0.4, 0.2, 1), Metallic=1.0, Roughness=0.6)
     has('a rough metal keeps its colour for highlights', text, 'pigment { rgb <0.8,0.4,0.2> }', 'metallic')
@@ -294,6 +295,25 @@ def images():
     has('an image behind a node is computed', text, '"case-image-inverted-pictures/Mat-diffuse.png"')
     has('closest pixels', textured('image-closest', prepare=lambda new, tree, node: setattr(node, 'interpolation', 'Closest'))[0],
         'Tiles.png" }')
+
+    def bent(new, tree, output):
+        node, bend, bsdf = new('TexImage'), new('NormalMap', Strength=1.0), new('BsdfDiffuse')
+        size = 8
+        node.image = gallery.picture('Slope', np.tile([0.5 + 0.5 * 0.6, 0.5, 0.5 + 0.5 * 0.8], (size, size, 1)), data=True)
+        tree.links.new(node.outputs[0], bend.inputs['Color'])
+        tree.links.new(bend.outputs[0], bsdf.inputs['Normal'])
+        tree.links.new(bsdf.outputs[0], output.inputs[0])
+    empty()
+    mat, tree, output, new = gallery.nodes('Bent')
+    bent(new, tree, output)
+    gallery.floor(mat, size=2)
+    text, losses = export('relief')
+    normals = re.search(r'normal_vectors \{\n(\d+),\n<([^>]*)>', text)
+    check('a normal map bends the corners of a finer mesh', normals is not None and close(
+        [float(v) for v in normals.group(2).split(',')], (0.6, 0, 0.8), 0.01) and not losses.lost_lines(), text[-800:])
+    check('as fine as the picture asks for', re.search(r'face_indices \{\n128,', text) is not None, text[:1500])
+    text, losses = export('relief-off', relief=0)
+    check('or is lost', any('Normal Map' in l for l in losses.lost_lines()) and re.search(r'face_indices \{\n2,', text))
 
     def checker(new, tree, output):
         node, bsdf = new('TexChecker', Scale=4.0), new('BsdfDiffuse')

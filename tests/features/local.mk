@@ -74,6 +74,9 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/opaque-outside.pov \
 	tests/features/orthographic.pov \
 	tests/features/parallel.pov \
+	tests/features/patterns-block.pov \
+	tests/features/patterns-fractal.pov \
+	tests/features/patterns-solid.pov \
 	tests/features/sky-background.pov \
 	tests/features/sky-legacy.pov \
 	tests/features/sky.pov \
@@ -91,6 +94,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/terminator.pov \
 	tests/features/texture-maps.pov \
 	tests/features/texture-places.pov \
+	tests/features/textures-parts.pov \
 	tests/features/union-glass.pov \
 	tests/features/uv-object.pov \
 	tests/features/uv.pov \
@@ -169,6 +173,9 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/opaque-outside.exr \
 	tests/features/orthographic.exr \
 	tests/features/parallel.exr \
+	tests/features/patterns-block.exr \
+	tests/features/patterns-fractal.exr \
+	tests/features/patterns-solid.exr \
 	tests/features/sky-background.exr \
 	tests/features/sky-legacy.exr \
 	tests/features/sky.exr \
@@ -183,6 +190,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/terminator.exr \
 	tests/features/texture-maps.exr \
 	tests/features/texture-places.exr \
+	tests/features/textures-parts.exr \
 	tests/features/union-glass.exr \
 	tests/features/uv-object.exr \
 	tests/features/uv.exr \
@@ -213,7 +221,9 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/macro-object.pov \
 	tests/features/media-world.exr \
 	tests/features/media-world.pov \
+	tests/features/warps.exr \
 	tests/features/media.exr \
+	tests/features/warps.pov \
 	tests/features/media.pov \
 	tests/features/room.inc \
 	tests/features/stage.inc \

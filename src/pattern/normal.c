@@ -200,7 +200,8 @@ vec normal_at(const struct scene *s, const struct normal *t, const struct patter
 	bool keep = t->no_bump_scale;
 
 	if (at->place && !t->uv) {
-		n = scaled(mat_normal(&at->place->fwd, n), keep);
+		/* no_bump_scale of a normal says nothing of textures around it: measured. */
+		n = scaled(mat_normal(&at->place->fwd, n), keep && !at->within);
 		n = mat_normal(&at->place->inv, bend(s, t, at, n, keep));
 	} else {
 		n = bend(s, t, at, n, keep);

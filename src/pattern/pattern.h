@@ -18,6 +18,7 @@ struct pattern_point {
 	vec n; /* unit normal, turned to the ray, in the world (slope, aoi) */
 	vec dir; /* of the ray, unit, in the world (aoi) */
 	const struct xform *place; /* texture to world; NULL: the same */
+	bool within; /* place has the transforms of a pattern of textures around this one */
 	const struct footprint *foot; /* how much around the point counts (footprint.h); NULL: nothing */
 };
 

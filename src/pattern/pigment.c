@@ -104,6 +104,7 @@ void texture_visit(const struct scene *s, const struct texture *texture, const s
 	}
 	inner.p = pattern_warp(q, inner.p);
 	inner.place = place_within(q, at->place, &room);
+	inner.within = true;
 	if (q->kind == PATTERN_AVERAGE) {
 		visit_average(s, m, &inner, share, visit, self);
 		return;

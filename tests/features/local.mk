@@ -70,6 +70,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/normals-own.pov \
 	tests/features/normals-rays.pov \
 	tests/features/normals-slope.pov \
+	tests/features/normals-within.pov \
 	tests/features/odd-lamps.pov \
 	tests/features/opaque-outside.pov \
 	tests/features/orthographic.pov \
@@ -169,6 +170,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/normals-own.exr \
 	tests/features/normals-rays.exr \
 	tests/features/normals-slope.exr \
+	tests/features/normals-within.exr \
 	tests/features/odd-lamps.exr \
 	tests/features/opaque-outside.exr \
 	tests/features/orthographic.exr \

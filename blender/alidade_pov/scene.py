@@ -245,7 +245,8 @@ class Export:
             slots = self.slots(ob)
             material = slots[min(max(settings.material - 1, 0), len(slots) - 1)]
             shape = getattr(settings, 'shape', 0.0)
-            root, tip = settings.root_radius * settings.radius_scale, settings.tip_radius * settings.radius_scale
+            # Called radius in Python and diameter in the panel; Cycles takes half of it.
+            root, tip = (0.5 * r * settings.radius_scale for r in (settings.root_radius, settings.tip_radius))
             power = 1 + shape if shape < 0 else 1 / max(1 - shape, 1e-3)
             along = np.concatenate([np.linspace(0, 1, c) for c in counts])
             radii = tip + (root - tip) * np.power(np.maximum(1 - along, 0), power)

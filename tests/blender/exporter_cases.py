@@ -363,6 +363,17 @@ def objects():
     text, losses = export('nan')
     check('no NaN reaches the file', 'nan' not in text.lower().replace('m_broken', '') and any('Broken' in l for l in losses.nearest_lines()))
     bpy.data.objects.remove(nan)
+    lawn = gallery.floor(gallery.principled('Grass'), size=1, name='Lawn')
+    lawn.modifiers.new('Grass', 'PARTICLE_SYSTEM')
+    settings = lawn.particle_systems[0].settings
+    settings.type, settings.count, settings.hair_length, settings.render_step = 'HAIR', 1, 1.0, 1
+    settings.root_radius, settings.tip_radius, settings.radius_scale = 1.0, 1.0, 0.2
+    text, _ = export('hair')
+    block = text[text.index('#declare M_Lawn_20_'):]
+    rows = np.array([[float(v) for v in m.split(',')] for m in re.findall(r'\n<([^>]*)>', block[:block.index('}')])])
+    wide = np.linalg.norm(rows[:4, :2] - rows[:4, :2].mean(axis=0), axis=1)
+    check('a strand is half as wide in radius as its setting says', close(wide, 0.1 * (math.pi / 2) ** 0.5, 1e-3), rows[:4])
+    bpy.data.objects.remove(lawn)
     volume = bpy.data.objects.new('Smoke', bpy.data.volumes.new('Smoke'))
     scene.collection.objects.link(volume)
     _, losses = export('volume')

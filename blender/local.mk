@@ -2,7 +2,7 @@
 # `make addon` packs it; no program is needed to use the folder as it is.
 EXTRA_DIST += blender/pack.py blender/alidade_pov/__init__.py blender/alidade_pov/blender_manifest.toml \
 	blender/alidade_pov/camera.py blender/alidade_pov/engine.py blender/alidade_pov/export.py \
-	blender/alidade_pov/geometry.py blender/alidade_pov/images.py blender/alidade_pov/interface.py \
+	blender/alidade_pov/finish.py blender/alidade_pov/geometry.py blender/alidade_pov/images.py blender/alidade_pov/interface.py \
 	blender/alidade_pov/lamps.py blender/alidade_pov/losses.py blender/alidade_pov/materials.py \
 	blender/alidade_pov/paints.py blender/alidade_pov/pictures.py blender/alidade_pov/relief.py blender/alidade_pov/scene.py \
 	blender/alidade_pov/text.py blender/alidade_pov/values.py blender/alidade_pov/versions.py \

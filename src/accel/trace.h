@@ -31,7 +31,7 @@ struct geometry; /* opaque; made by geometry_build() */
 
 /* Textures that meet in one place: three at a triangle's corners; of a blob's components those with the
  * greatest shares. */
-#define SURFACE_BLEND 8
+#define SURFACE_BLEND SCENE_BLOB_BLEND
 
 /* What shading needs to know of a hit, in world coordinates. */
 struct surface {

@@ -115,6 +115,9 @@ struct sweep {
 	double (*point)[4]; /* x, y, z, radius; in the arena */
 };
 
+/* Textures that can meet at one point of a blob; of more, the faintest are left out. */
+#define SCENE_BLOB_BLEND 8
+
 /* Strength times (1 - d^2 / radius^2)^2, d being the distance from base, or from the segment to apex. */
 struct blob_part {
 	bool cylinder;

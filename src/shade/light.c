@@ -148,3 +148,72 @@ vec light_grid_point(const struct light *l, vec axis1, vec axis2, uint32_t u, ui
 	}
 	return vec_add(vec_scale(axis1, a), vec_scale(axis2, b));
 }
+
+/* Where the ray is within a spotlight's cone. May run to infinity. */
+static bool cone_reach(const struct light *l, vec org, vec dir, double *from, double *to)
+{
+	double k = cos(l->falloff * DEGREE), m = 1 / (k * k);
+	vec v = vec_sub(org, l->location);
+	double along = vec_dot(dir, l->direction), at = vec_dot(v, l->direction);
+	double a = 1 - along * along * m, b = vec_dot(v, dir) - along * at * m;
+	double c = vec_dot(v, v) - at * at * m, d = b * b - a * c, t1, t2;
+	bool within = vec_dot(v, v) > 0 && at >= k * vec_length(v);
+
+	*from = 0;
+	*to = HUGE_VAL;
+	if (a == 0 || d <= 0)
+		return within;
+	d = sqrt(d);
+	t1 = fmin((-b - d) / a, (-b + d) / a);
+	t2 = fmax((-b - d) / a, (-b + d) / a);
+	/* Roots on the cone's mirror image behind the lamp do not count. */
+	if (at + t1 * along <= 0 && at + t2 * along <= 0)
+		return false;
+	if (at + t1 * along <= 0) {
+		*from = within ? 0 : t2;
+		*to = within && t2 > 0 ? t2 : HUGE_VAL;
+	} else if (at + t2 * along <= 0) {
+		*from = within ? 0 : t1;
+		*to = within ? t1 : HUGE_VAL;
+	} else {
+		*from = t1;
+		*to = t2;
+	}
+	return true;
+}
+
+static bool cylinder_reach(const struct light *l, vec org, vec dir, double *from, double *to)
+{
+	vec v = vec_sub(org, l->location);
+	double along = vec_dot(dir, l->direction), at = vec_dot(v, l->direction);
+	double a = 1 - along * along, b = vec_dot(v, dir) - along * at;
+	double c = vec_dot(v, v) - at * at - l->falloff * l->falloff, d = b * b - a * c;
+
+	if (a <= 0 || d <= 0 || (along <= 0 && at < 0))
+		return false;
+	d = sqrt(d);
+	*from = (-b - d) / a;
+	*to = (-b + d) / a;
+	if (at + *from * along <= 0 && at + *to * along <= 0)
+		return false;
+	if (at + *from * along <= 0)
+		*from = 0;
+	else if (at + *to * along <= 0)
+		*to = HUGE_VAL;
+	return true;
+}
+
+bool light_reach(const struct light *l, vec org, vec dir, double length, double *from, double *to)
+{
+	*from = 0;
+	*to = length;
+	if (l->kind == LIGHT_SPOT && !cone_reach(l, org, dir, from, to))
+		return false;
+	if (l->kind == LIGHT_CYLINDER && !cylinder_reach(l, org, dir, from, to))
+		return false;
+	if (*from >= length || *to <= 0)
+		return false;
+	*from = fmax(*from, 0);
+	*to = fmin(*to, length);
+	return true;
+}

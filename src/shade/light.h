@@ -28,4 +28,8 @@ void light_axes(const struct light *, vec p, vec *axis1, vec *axis2);
 vec light_grid_point(const struct light *, vec axis1, vec axis2, uint32_t u, uint32_t v, uint64_t key,
 		     uint32_t round);
 
+/* The stretch of a ray, at most length of it, that lies in the light's cone or beam; all of it for other kinds.
+ * False: none of it does. dir is unit. */
+bool light_reach(const struct light *, vec org, vec dir, double length, double *from, double *to);
+
 #endif

@@ -25,6 +25,8 @@ struct indirect {
 	double pixel, pixel_angle; /* width of a pixel at the camera, and how it grows with the way */
 };
 
+#define SHADE_WORLD_END 2e10 /* how far away POV-Ray takes the sky to be, for fog and media: measured */
+
 /* What all shading of one picture shares; read-only while rendering. */
 struct shader {
 	const struct scene *scene;

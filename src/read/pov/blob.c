@@ -141,6 +141,26 @@ static void read_parts(struct pov *p, struct buf *parts, double *threshold)
 	}
 }
 
+/* What is drawn of many textures at one point is not all of them: say so, once. */
+static void warn_blend(struct pov *p, const struct diag_pos *at, const struct pov_blob *b, uint32_t count)
+{
+	const struct pov_texture *seen[SCENE_BLOB_BLEND];
+	uint32_t n = 0, k;
+
+	for (uint32_t i = 0; i < count; i++) {
+		for (k = 0; k < n && seen[k] != b->texture[i]; k++)
+			;
+		if (k < n)
+			continue;
+		if (n == SCENE_BLOB_BLEND) {
+			pov_warn(p, at, "the blob has more than %d textures; where more than that meet, the "
+					"faintest are left out", SCENE_BLOB_BLEND);
+			return;
+		}
+		seen[n++] = b->texture[i];
+	}
+}
+
 static bool keep(struct pov *p, struct pov_object *o, const struct buf *parts, double threshold)
 {
 	struct scene *s = pov_scene(p);
@@ -159,6 +179,7 @@ static bool keep(struct pov *p, struct pov_object *o, const struct buf *parts, d
 		b->texture[k] = BUF_AT(parts, struct draft, k)->texture;
 		b->texture_place[k] = BUF_AT(parts, struct draft, k)->texture_place;
 	}
+	warn_blend(p, &o->object.pos, b, parts->count);
 	b->index = i;
 	o->blob = b;
 	o->object.kind = SHAPE_BLOB;

@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-#define SAMPLES_MAX 100000 /* a segment; far beyond use, so that sums stay in range */
+#define SAMPLES_MAX 60000 /* and intervals: their numbers fit into 16 bits, see shade/pov/media.c */
 #define LEVELS_MAX 15
 
 static void read_samples(struct pov *p, struct media *m)
@@ -81,7 +81,7 @@ static bool sampling_word(struct pov *p, struct media *m)
 	case TOK_CONFIDENCE: /* when POV-Ray stops between the two numbers of samples */
 	case TOK_VARIANCE:
 		pov_next(p);
-		pov_finite_float(p, "this");
+		pov_finite_float(p, "confidence or variance");
 		return true;
 	case TOK_COLLECT: /* photons */
 		pov_next(p);

@@ -15,7 +15,6 @@
 
 #include "pattern/random.h"
 
-#define WORLD_END 2e10 /* how far away POV-Ray takes the sky to be: measured */
 #define LEVEL 1e-10 /* of alts: less rise than this is none */
 
 /* The mean density between heights a and b, in alts above the offset. */
@@ -63,7 +62,7 @@ struct rgb fog_clear(const struct scene *s, vec org, vec dir, double length, str
 	struct rgb clear = { 1, 1, 1 }, sum = { 0, 0, 0 };
 
 	if (!isfinite(length))
-		length = WORLD_END;
+		length = SHADE_WORLD_END;
 	for (uint32_t i = 0; i < s->fog_count; i++) {
 		const struct fog *f = &s->fog[i];
 		struct rgb colour = rgbft_rgb(f->colour);

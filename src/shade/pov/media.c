@@ -24,8 +24,6 @@
 #include "shade/pov/shadow.h"
 
 #define SEGMENTS 64 /* of a batch at a time */
-#define MEDIA_HELD 16 /* in one place; POV-Ray's scenes have one or two */
-#define WORLD_END 2e10 /* how far away the sky is to POV-Ray: measured */
 #define CODE_END 0xffffu /* samples between subintervals; others are numbered from 1 in their tree */
 
 /* A stretch of a segment, all lit by some lamp or all dark. */
@@ -52,9 +50,12 @@ struct segment {
 	vec org, dir;
 	double length;
 	uint64_t key;
+	bool world; /* what fills the world, not what list is inside of */
+	uint32_t list;
 	uint32_t media_count;
-	const struct media *media[MEDIA_HELD], *lead;
-	bool scatters;
+	const struct media *lead; /* the one with most intervals */
+	double threshold; /* the least of theirs */
+	bool scatters, varies; /* some of them */
 	uint32_t first_reach, reach_count, first_span, span_count;
 	bool done;
 	struct rgb clear, glow;
@@ -82,77 +83,6 @@ static bool rgb_zero(struct rgb c)
 static double apart(struct rgb a, struct rgb b)
 {
 	return fabs(a.r - b.r) + fabs(a.g - b.g) + fabs(a.b - b.b);
-}
-
-/* Where the ray is within a spotlight's cone. k: cosine of its half angle; may run to infinity. */
-static bool cone_reach(const struct light *l, vec org, vec dir, double *from, double *to)
-{
-	double k = cos(l->falloff * 3.14159265358979323846 / 180), m = 1 / (k * k);
-	vec v = vec_sub(org, l->location);
-	double along = vec_dot(dir, l->direction), at = vec_dot(v, l->direction);
-	double a = 1 - along * along * m, b = vec_dot(v, dir) - along * at * m;
-	double c = vec_dot(v, v) - at * at * m, d = b * b - a * c, t1, t2;
-	bool within = vec_dot(v, v) > 0 && at >= k * vec_length(v);
-
-	*from = 0;
-	*to = HUGE_VAL;
-	if (a == 0 || d <= 0)
-		return within;
-	d = sqrt(d);
-	t1 = fmin((-b - d) / a, (-b + d) / a);
-	t2 = fmax((-b - d) / a, (-b + d) / a);
-	/* Roots on the cone's mirror image behind the lamp do not count. */
-	if (at + t1 * along <= 0 && at + t2 * along <= 0)
-		return false;
-	if (at + t1 * along <= 0) {
-		*from = within ? 0 : t2;
-		*to = within && t2 > 0 ? t2 : HUGE_VAL;
-	} else if (at + t2 * along <= 0) {
-		*from = within ? 0 : t1;
-		*to = within ? t1 : HUGE_VAL;
-	} else {
-		*from = t1;
-		*to = t2;
-	}
-	return true;
-}
-
-static bool cylinder_reach(const struct light *l, vec org, vec dir, double *from, double *to)
-{
-	vec v = vec_sub(org, l->location);
-	double along = vec_dot(dir, l->direction), at = vec_dot(v, l->direction);
-	double a = 1 - along * along, b = vec_dot(v, dir) - along * at;
-	double c = vec_dot(v, v) - at * at - l->falloff * l->falloff, d = b * b - a * c;
-
-	if (a <= 0 || d <= 0 || (along <= 0 && at < 0))
-		return false;
-	d = sqrt(d);
-	*from = (-b - d) / a;
-	*to = (-b + d) / a;
-	if (at + *from * along <= 0 && at + *to * along <= 0)
-		return false;
-	if (at + *from * along <= 0)
-		*from = 0;
-	else if (at + *to * along <= 0)
-		*to = HUGE_VAL;
-	return true;
-}
-
-static bool light_reach(const struct light *l, const struct segment *s, struct reach *r)
-{
-	r->from = 0;
-	r->to = s->length;
-	if (l->shadowless || l->no_media)
-		return false;
-	if (l->kind == LIGHT_SPOT && !cone_reach(l, s->org, s->dir, &r->from, &r->to))
-		return false;
-	if (l->kind == LIGHT_CYLINDER && !cylinder_reach(l, s->org, s->dir, &r->from, &r->to))
-		return false;
-	if (r->from >= s->length || r->to <= 0)
-		return false;
-	r->from = fmax(r->from, 0);
-	r->to = fmin(r->to, s->length);
-	return true;
 }
 
 static int by_from(const void *a, const void *b)
@@ -191,10 +121,12 @@ static void find_spans(const struct shader *sh, struct tree *t, struct segment *
 	s->first_span = t->media.span.count;
 	s->reach_count = s->span_count = 0;
 	for (uint32_t i = 0; s->scatters && i < sh->scene->light_count; i++) {
+		const struct light *l = &sh->scene->light[i];
 		struct reach r = { .light = i };
 		uint32_t k;
 
-		if (!light_reach(&sh->scene->light[i], s, &r))
+		if (l->shadowless || l->no_media ||
+		    !light_reach(l, s->org, s->dir, s->length, &r.from, &r.to))
 			continue;
 		k = tree_push(t, &t->media.reach, 1);
 		if (k == TREE_NONE)
@@ -218,25 +150,43 @@ static void find_spans(const struct shader *sh, struct tree *t, struct segment *
 	add_span(t, s, at, s->length, false);
 }
 
-static void add_media(struct segment *s, uint32_t count, const struct media *media)
-{
-	for (uint32_t i = 0; i < count && s->media_count < MEDIA_HELD; i++) {
-		const struct media *m = &media[i];
+/* Where a walk over a segment's media stands: { segment's list, 0 } at first. */
+struct walk {
+	uint32_t list, next;
+};
 
-		s->media[s->media_count++] = m;
-		if (!s->lead || m->intervals > s->lead->intervals)
-			s->lead = m;
-		s->scatters |= !rgb_zero(m->scattering);
+/* The next of the segment's media, NULL: that were all. */
+static const struct media *next_media(const struct scene *sc, const struct tree *t, const struct segment *s,
+				      struct walk *w)
+{
+	if (s->world)
+		return w->next < sc->media_count ? &sc->media[w->next++] : NULL;
+	while (w->list != TREE_NONE) {
+		const struct inside *in = BUF_AT(&t->inside, struct inside, w->list);
+
+		if (in->interior != SCENE_NONE && w->next < sc->interior[in->interior].media_count)
+			return &sc->interior[in->interior].media[w->next++];
+		w->list = in->outer;
+		w->next = 0;
 	}
+	return NULL;
 }
 
-static void add_inside(const struct shader *sh, const struct tree *t, struct segment *s, uint32_t list)
+/* What all its media say of a segment. */
+static void sum_up(const struct scene *sc, const struct tree *t, struct segment *s)
 {
-	for (; list != TREE_NONE; list = BUF_AT(&t->inside, struct inside, list)->outer) {
-		uint32_t i = BUF_AT(&t->inside, struct inside, list)->interior;
+	struct walk w = { s->list, 0 };
+	const struct media *m;
 
-		if (i != SCENE_NONE)
-			add_media(s, sh->scene->interior[i].media_count, sh->scene->interior[i].media);
+	s->threshold = HUGE_VAL;
+	while ((m = next_media(sc, t, s, &w))) {
+		s->media_count++;
+		if (!s->lead || m->intervals > s->lead->intervals)
+			s->lead = m;
+		s->threshold = fmin(s->threshold, m->aa_threshold);
+		s->scatters |= !rgb_zero(m->scattering);
+		for (uint32_t i = 0; i < m->density_count; i++)
+			s->varies |= m->density[i].pattern != NULL;
 	}
 }
 
@@ -334,11 +284,12 @@ static bool grow_slots(struct tree *t)
 static void make_sample(struct run *r, const struct segment *s, struct sample *out, double at, bool lit)
 {
 	vec p = vec_mad(s->org, s->dir, at);
+	struct walk w = { s->list, 0 };
+	const struct media *m;
 
 	out->colour = out->extinction = out->scattering = none;
 	out->lit_count = 0;
-	for (uint32_t i = 0; i < s->media_count; i++) {
-		const struct media *m = s->media[i];
+	while ((m = next_media(r->sh->scene, r->t, s, &w))) {
 		struct rgb d = density_at(r->sh->scene, m, p, s->dir);
 
 		out->extinction = rgb_add(out->extinction,
@@ -441,22 +392,13 @@ static struct sum adaptive(struct run *r, const struct segment *s, const struct 
 	return out;
 }
 
-static double least_threshold(const struct segment *s)
-{
-	double t = HUGE_VAL;
-
-	for (uint32_t i = 0; i < s->media_count; i++)
-		t = fmin(t, s->media[i]->aa_threshold);
-	return t;
-}
-
 /* Method 3: subintervals from sample to sample, each faded by those before it. Measured: POV-Ray's are one
  * more than half the samples (at least two), leave as much again at the far end unseen, and count for
  * the whole interval. */
 static struct sum sum_adaptive(struct run *r, const struct segment *s, const struct place *p)
 {
 	uint32_t subs = s->lead->samples_min / 2 + 1 + (s->lead->samples_min == 1);
-	double step = 1.0 / (subs + 1), threshold = least_threshold(s);
+	double step = 1.0 / (subs + 1), threshold = s->threshold;
 	struct sum out = { none, none };
 	struct sample a = sample_at(r, s, p, 0, CODE_END, step * jittered(s, p, 0, CODE_END)), b;
 
@@ -500,17 +442,6 @@ static struct sum sum_regular(struct run *r, const struct segment *s, const stru
 	return out;
 }
 
-static bool constant(const struct segment *s)
-{
-	for (uint32_t i = 0; i < s->media_count; i++) {
-		for (uint32_t j = 0; j < s->media[i]->density_count; j++) {
-			if (s->media[i]->density[j].pattern)
-				return false;
-		}
-	}
-	return true;
-}
-
 /* How many intervals a span gets of those that there are. */
 static uint32_t share(const struct tree *t, const struct segment *s, uint32_t span, uint32_t *left)
 {
@@ -531,7 +462,7 @@ static uint32_t share(const struct tree *t, const struct segment *s, uint32_t sp
 
 static void sum_segment(struct run *r, struct segment *s, uint32_t index)
 {
-	bool once = s->node == TREE_NONE && constant(s);
+	bool once = s->node == TREE_NONE && !s->varies;
 	uint32_t left = s->lead->intervals > s->span_count ? s->lead->intervals : s->span_count;
 	struct rgb depth = none;
 	struct place p = { .segment = index };
@@ -559,22 +490,24 @@ static void sum_segment(struct run *r, struct segment *s, uint32_t index)
 }
 
 /* The lamps have answered: what is scattered towards the eye joins the samples' own light. */
-static void take_light(struct tree *t, struct sample *m)
+static void take_light(const struct scene *sc, struct tree *t, struct sample *sample)
 {
-	const struct segment *s = BUF_AT(&t->media.segment, struct segment, m->segment);
+	const struct segment *s = BUF_AT(&t->media.segment, struct segment, sample->segment);
 
-	for (uint32_t i = 0; i < m->lit_count; i++) {
-		const struct lit *lit = BUF_AT(&t->lit, struct lit, m->first_lit + i);
+	for (uint32_t i = 0; i < sample->lit_count; i++) {
+		const struct lit *lit = BUF_AT(&t->lit, struct lit, sample->first_lit + i);
+		struct walk w = { s->list, 0 };
+		const struct media *m;
 		double k = 0;
 
 		if (shadow_dark(lit->colour))
 			continue;
-		for (uint32_t j = 0; j < s->media_count; j++)
-			k += phase(s->media[j], vec_dot(lit->dir, s->dir));
-		m->colour = rgb_add(m->colour, rgb_scale(rgb_mul(m->scattering, lit->colour),
-							 k / s->media_count));
+		while ((m = next_media(sc, t, s, &w)))
+			k += phase(m, vec_dot(lit->dir, s->dir));
+		sample->colour = rgb_add(sample->colour, rgb_scale(rgb_mul(sample->scattering, lit->colour),
+								   k / s->media_count));
 	}
-	m->known = true;
+	sample->known = true;
 }
 
 static void sum_group(const struct shader *sh, struct tree *t, uint32_t thread, struct shade_counts *counts)
@@ -600,7 +533,7 @@ static void sum_group(const struct shader *sh, struct tree *t, uint32_t thread, 
 			return;
 		lights_answer(sh, t, thread, counts);
 		for (; asked < t->media.sample.count && !t->no_memory; asked++)
-			take_light(t, BUF_AT(&t->media.sample, struct sample, asked));
+			take_light(sh->scene, t, BUF_AT(&t->media.sample, struct sample, asked));
 	}
 }
 
@@ -623,6 +556,8 @@ static bool begin_segment(const struct shader *sh, const struct tree *t, uint32_
 	const struct node *n = BUF_AT(&t->node, struct node, node);
 
 	*s = (struct segment){ .node = node,
+			       .world = world,
+			       .list = n->inside,
 			       .org = n->org,
 			       .dir = n->dir,
 			       .length = n->length,
@@ -630,12 +565,12 @@ static bool begin_segment(const struct shader *sh, const struct tree *t, uint32_
 						0x300000000u + world) };
 	if (!shade_sees_air(sh, n) || !inside_hollow(t, n->inside))
 		return false;
-	if (world)
-		add_media(s, sh->scene->media_count, sh->scene->media);
-	else if (isfinite(n->length))
-		add_inside(sh, t, s, n->inside);
-	if (world && !isfinite(n->length))
-		s->length = WORLD_END;
+	if (!isfinite(n->length)) {
+		if (!world)
+			return false;
+		s->length = SHADE_WORLD_END;
+	}
+	sum_up(sh->scene, t, s);
 	return s->media_count > 0;
 }
 
@@ -669,6 +604,7 @@ struct rgb media_clear(const struct shader *sh, struct tree *t, uint32_t list, v
 		       uint64_t key)
 {
 	struct segment s = { .node = TREE_NONE,
+			     .list = list,
 			     .org = org,
 			     .dir = dir,
 			     .length = length,
@@ -678,7 +614,7 @@ struct rgb media_clear(const struct shader *sh, struct tree *t, uint32_t list, v
 
 	if (!(length > 0) || !inside_hollow(t, list))
 		return all;
-	add_inside(sh, t, &s, list);
+	sum_up(sh->scene, t, &s);
 	if (!s.media_count)
 		return all;
 	sum_segment(&r, &s, 0);

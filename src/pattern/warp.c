@@ -31,9 +31,25 @@ static vec warp_repeat(const struct warp *w, vec p)
 	return vec_mad(q, w->w.repeat.offset, block);
 }
 
-static double block_start(double x, double size)
+static double block_of(double x, double size)
 {
-	return size >= TINY ? floor(x / size) * size : 0;
+	return size >= TINY ? floor(x / size) : 0;
+}
+
+static vec by_components(vec a, vec b)
+{
+	return vec_make(a.x * b.x, a.y * b.y, a.z * b.z);
+}
+
+/* In the block that p is in, where it may be anywhere within the uncertainty. */
+static vec hole_centre(const struct warp *w, vec p)
+{
+	vec size = w->w.hole.repeat, centre = w->w.hole.centre;
+	vec block = { block_of(p.x, size.x), block_of(p.y, size.y), block_of(p.z, size.z) };
+
+	if (w->w.hole.uncertain)
+		centre = vec_add(centre, by_components(noise_cell_at(block).random, w->w.hole.uncertainty));
+	return vec_add(centre, by_components(block, size));
 }
 
 static vec warp_hole(const struct warp *w, vec p)
@@ -42,9 +58,7 @@ static vec warp_hole(const struct warp *w, vec p)
 	double length, pull;
 
 	if (w->w.hole.repeats)
-		centre = vec_add(centre, vec_make(block_start(p.x, w->w.hole.repeat.x),
-						  block_start(p.y, w->w.hole.repeat.y),
-						  block_start(p.z, w->w.hole.repeat.z)));
+		centre = hole_centre(w, p);
 	away = vec_sub(p, centre);
 	length = vec_length(away);
 	if (length >= w->w.hole.radius || w->w.hole.none)

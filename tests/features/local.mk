@@ -96,6 +96,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/texture-maps.pov \
 	tests/features/texture-places.pov \
 	tests/features/textures-parts.pov \
+	tests/features/tiles.pov \
 	tests/features/union-glass.pov \
 	tests/features/uv-object.pov \
 	tests/features/uv.pov \
@@ -193,6 +194,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/texture-maps.exr \
 	tests/features/texture-places.exr \
 	tests/features/textures-parts.exr \
+	tests/features/tiles.exr \
 	tests/features/union-glass.exr \
 	tests/features/uv-object.exr \
 	tests/features/uv.exr \

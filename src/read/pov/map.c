@@ -306,6 +306,23 @@ void pattern_blocks(struct pov *p, struct pattern_draft *to, uint32_t count)
 	buf_release(&d.entry);
 }
 
+void pattern_textures(struct pov *p, struct pattern_draft *to, struct pov_texture *const *t, uint32_t count)
+{
+	struct map_draft d = { .entry = { .size = sizeof(struct map_entry) }, .m = { .map = { .kind = MAP_TEXTURE } } };
+	bool ok = true;
+
+	for (uint32_t i = 0; ok && i < count; i++) {
+		struct map_entry e = { .at = i };
+
+		e.is.texture = keep_texture(p, &d, t[i]);
+		ok = e.is.texture && push(p, &d, e);
+	}
+	if (ok)
+		finish(p, &d);
+	to->map = d.m;
+	buf_release(&d.entry);
+}
+
 void pattern_materials(struct pov *p, struct pattern_draft *to)
 {
 	struct map_draft d = { .entry = { .size = sizeof(struct map_entry) }, .m = { .map = { .kind = MAP_TEXTURE } } };

@@ -50,6 +50,8 @@ bool turbulence_word(struct pov *, const struct turbulence_words *);
 
 /* The list of a block pattern's entries; what is not given is the default's. */
 void pattern_blocks(struct pov *, struct pattern_draft *, uint32_t count);
+/* These textures as a block pattern's entries. */
+void pattern_textures(struct pov *, struct pattern_draft *, struct pov_texture *const *, uint32_t count);
 /* no_bump_scale of a texture: for all normals in it, which are copied. False: no memory. */
 bool pov_texture_keep_bumps(struct pov *, struct pov_texture *);
 /* The textures of a material_map, as many as there are. */

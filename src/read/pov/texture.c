@@ -264,13 +264,32 @@ static bool layer_words(struct pov *p, struct pov_texture **t)
 	return changed;
 }
 
+static struct pov_texture *read_tile(struct pov *p)
+{
+	struct pov_texture *all = NULL;
+
+	while (!pov_failed(p) && pov_token(p) == TOK_TEXTURE)
+		all = pov_texture_over(p, pov_read_texture(p), all);
+	if (!all && !pov_failed(p))
+		pov_fail(p, "tiles needs a texture { } here, not %s", pov_text(p));
+	return pov_failed(p) ? NULL : all;
+}
+
 /* tiles { texture ... tile2 texture ... }: checker as before version 3; the first is number 1. */
 static void read_tiles(struct pov *p, struct pattern_draft *d)
 {
-	pov_lack_note(p, &d->lack, "tiles", "use checker texture { } texture { }");
+	struct pov_texture *tile[2];
+
 	d->given = true;
-	pov_next(p);
-	pov_skip_block(p);
+	d->pattern = (struct pattern){ .kind = PATTERN_CHECKER, .exponent = 1 };
+	if (!pov_open(p))
+		return;
+	tile[1] = read_tile(p);
+	if (!tile[1] || !pov_expect(p, TOK_TILE2, "between the textures of tiles"))
+		return;
+	tile[0] = read_tile(p);
+	if (tile[0] && pov_close(p, "tiles"))
+		pattern_textures(p, d, tile, 2);
 }
 
 static void read_material_map(struct pov *p, struct pattern_draft *d)

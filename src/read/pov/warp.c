@@ -182,8 +182,6 @@ void pattern_warp_read(struct pov *p, struct pattern_draft *d)
 		pov_fail(p, "%s is no kind of warp", pov_text(p));
 	if (!pov_close(p, "warp"))
 		return;
-	if (w.kind == WARP_BLACK_HOLE && w.w.hole.uncertain && w.w.hole.repeats)
-		pov_lack_note(p, &d->lack, "turbulence in a black_hole warp", NULL);
 	to = pattern_warp_push(p, &d->pattern);
 	if (to)
 		*to = w;

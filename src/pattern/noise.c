@@ -86,15 +86,22 @@ vec noise_vector(vec p)
 	side_find(&x, p.x);
 	side_find(&y, p.y);
 	side_find(&z, p.z);
-	for (unsigned corner = 0; corner < 8; corner++) {
-		unsigned i = corner >> 2, j = corner >> 1 & 1, k = corner & 1;
-		uint32_t at = hash(hash(hash(x.cell[i], 0), y.cell[j]), z.cell[k]) & 255;
-		double weight = x.weight[i] * y.weight[j] * z.weight[k];
-		const double *r = noise_real + at;
+	for (unsigned i = 0; i < 2; i++) {
+		uint32_t column = hash(x.cell[i], 0);
 
-		sum.x += weight * plane_at(r, x.t[i], y.t[j], z.t[k]);
-		sum.y += weight * plane_at(r + 4, x.t[i], y.t[j], z.t[k]);
-		sum.z += weight * plane_at(r + 8, x.t[i], y.t[j], z.t[k]);
+		for (unsigned j = 0; j < 2; j++) {
+			uint32_t row = hash(column, y.cell[j]);
+			double across = x.weight[i] * y.weight[j];
+
+			for (unsigned k = 0; k < 2; k++) {
+				const double *r = noise_real + (hash(row, z.cell[k]) & 255);
+				double weight = across * z.weight[k];
+
+				sum.x += weight * plane_at(r, x.t[i], y.t[j], z.t[k]);
+				sum.y += weight * plane_at(r + 4, x.t[i], y.t[j], z.t[k]);
+				sum.z += weight * plane_at(r + 8, x.t[i], y.t[j], z.t[k]);
+			}
+		}
 	}
 	return sum;
 }

@@ -165,20 +165,40 @@ static void near_keep(struct nearest *near, const struct noise_cell *cell, doubl
 	}
 }
 
+enum { REACH = 5 };
+/* How many cells away, the near ones first. */
+static const int steps[REACH] = { 0, -1, 1, -2, 2 };
+
+/* Squares of the least distances along one axis to cells that many steps away. from: in the cell, 0 to 1. */
+static void gaps(double gap[REACH], double from)
+{
+	for (int i = 0; i < REACH; i++) {
+		double d = steps[i] > 0 ? steps[i] - from : steps[i] < 0 ? from - steps[i] - 1 : 0;
+
+		gap[i] = d * d;
+	}
+}
+
 /* The three nearest of the random points, one a cell, in the 81 cells about p that can have them. */
 static void nearest_find(struct nearest *near, vec p, const struct yardstick *yard)
 {
 	vec at = noise_cell(p).corner;
+	double x[REACH], y[REACH], z[REACH];
+	bool plain = yard->metric == 2;
 
 	*near = (struct nearest){ .distance = { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
-	for (int x = -2; x <= 2; x++) {
-		for (int y = -2; y <= 2; y++) {
-			for (int z = -2; z <= 2; z++) {
+	gaps(x, p.x - at.x);
+	gaps(y, p.y - at.y);
+	gaps(z, p.z - at.z);
+	for (int i = 0; i < REACH; i++) {
+		for (int j = 0; j < REACH; j++) {
+			for (int k = 0; k < REACH; k++) {
 				struct noise_cell cell;
 
-				if ((abs(x) > 1) + (abs(y) > 1) + (abs(z) > 1) > 1)
+				if ((i > 2) + (j > 2) + (k > 2) > 1 ||
+				    (plain && x[i] + y[j] + z[k] > near->distance[2]))
 					continue;
-				cell = noise_cell_at(vec_add(at, vec_make(x, y, z)));
+				cell = noise_cell_at(vec_add(at, vec_make(steps[i], steps[j], steps[k])));
 				near_keep(near, &cell, measure(yard, vec_sub(vec_add(cell.corner, cell.random), p)));
 			}
 		}

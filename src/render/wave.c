@@ -36,13 +36,18 @@ static uint64_t seeded(uint64_t key, uint64_t seed)
 
 static bool root_ray(const struct worker *w, const struct wave_root *r, struct node *n)
 {
-	const struct camera *c = &w->shader->scene->camera;
+	const struct scene *s = w->shader->scene;
 	double width = w->options->width, height = w->options->height;
+	bool there;
 
-	if (camera_has_lens(c))
-		return camera_lens_ray(c, r->x, r->y, width, height, r->lens_x, r->lens_y, &n->org,
-				       &n->dir);
-	return camera_ray(c, r->x, r->y, width, height, &n->org, &n->dir);
+	if (camera_has_lens(&s->camera))
+		there = camera_lens_ray(&s->camera, r->x, r->y, width, height, r->lens_x, r->lens_y, &n->org,
+					&n->dir);
+	else
+		there = camera_ray(&s->camera, r->x, r->y, width, height, &n->org, &n->dir);
+	if (there && s->camera.normal)
+		camera_bend(s, r->x, r->y, width, height, &n->dir);
+	return there;
 }
 
 /* The cone of a camera ray is as wide as the way to the next one; focal blur averages anyway. */

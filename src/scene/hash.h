@@ -38,6 +38,7 @@ static inline uint64_t hash_words(uint64_t h, const void *p, size_t n)
 #define HASH(h, x) hash_bytes(h, &(x), sizeof(x))
 
 /* Textures, and all that they are made of. */
+uint64_t hash_normal(uint64_t h, const struct normal *); /* or NULL */
 uint64_t hash_textures(uint64_t h, const struct scene *);
 uint64_t hash_media(uint64_t h, uint32_t count, const struct media *);
 

@@ -440,6 +440,7 @@ uint64_t scene_hash(const struct scene *s)
 	h = HASH(h, s->camera.aperture);
 	h = HASH(h, s->camera.focal_distance);
 	h = HASH(h, s->camera.blur_samples);
+	h = hash_normal(h, s->camera.normal);
 	if (s->sky)
 		h = hash_sky(h, s->sky);
 	for (uint32_t i = 0; i < s->fog_count; i++)

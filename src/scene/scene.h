@@ -49,6 +49,7 @@ struct camera {
 	double aperture; /* focal blur; 0: none. What is in focus is focal_distance away */
 	double focal_distance;
 	uint32_t blur_samples;
+	struct normal *normal; /* bends its rays; NULL: none */
 	struct diag_pos pos;
 };
 

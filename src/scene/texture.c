@@ -179,7 +179,7 @@ struct pigment *scene_adopt_pigment(struct scene *s, struct copies *c, const str
 	return to && (!new || adopt_pigment(s, c, to)) ? to : NULL;
 }
 
-static bool adopt_normal(struct scene *s, struct copies *c, struct normal **n)
+bool scene_adopt_normal(struct scene *s, struct copies *c, struct normal **n)
 {
 	bool new;
 
@@ -227,7 +227,7 @@ bool scene_adopt_texture(struct scene *s, struct copies *c, const struct texture
 	}
 	to->layer = (void *)arena_memdup(&s->arena, from->layer, mem_product(from->count, sizeof(*to->layer)));
 	for (uint32_t i = 0; to->layer && i < to->count; i++) {
-		if (!adopt_pigment(s, c, &to->layer[i].pigment) || !adopt_normal(s, c, &to->layer[i].normal))
+		if (!adopt_pigment(s, c, &to->layer[i].pigment) || !scene_adopt_normal(s, c, &to->layer[i].normal))
 			return false;
 	}
 	return to->layer != NULL;
@@ -248,7 +248,7 @@ static bool adopt_item(struct scene *s, struct copies *c, enum map_kind kind, st
 		e->is.pigment = scene_adopt_pigment(s, c, e->is.pigment);
 		return e->is.pigment;
 	case MAP_NORMAL:
-		return adopt_normal(s, c, &e->is.normal);
+		return scene_adopt_normal(s, c, &e->is.normal);
 	case MAP_TEXTURE:
 		e->is.texture = adopt_entry(s, c, e->is.texture);
 		return e->is.texture;

@@ -341,6 +341,7 @@ struct copies {
 };
 bool scene_adopt_texture(struct scene *, struct copies *, const struct texture *from, struct texture *to);
 struct pigment *scene_adopt_pigment(struct scene *, struct copies *, const struct pigment *);
+bool scene_adopt_normal(struct scene *, struct copies *, struct normal **);
 bool scene_adopt_pattern(struct scene *, struct copies *, struct pattern **);
 struct function *scene_adopt_function(struct scene *, struct copies *, const struct function *);
 /* For those above: a flat copy of what follows, remembered; *new: it was made now. */

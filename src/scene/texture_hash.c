@@ -82,7 +82,7 @@ static uint64_t hash_pigment(uint64_t h, const struct pigment *p)
 	return p->map.count ? HASH(h, p->map.id) : HASH(h, none);
 }
 
-static uint64_t hash_normal(uint64_t h, const struct normal *n)
+uint64_t hash_normal(uint64_t h, const struct normal *n)
 {
 	const uint32_t none = SCENE_NONE;
 

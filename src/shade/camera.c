@@ -3,6 +3,8 @@
  */
 #include "shade/camera.h"
 
+#include "pattern/pattern.h"
+
 #define PI 3.14159265358979323846
 #define DEGREE (PI / 180)
 
@@ -182,4 +184,14 @@ bool camera_is_point(const struct camera *c)
 bool camera_has_lens(const struct camera *c)
 {
 	return c->aperture != 0;
+}
+
+/* The pattern is asked where the ray goes through a picture from -0.5 to 0.5, and the ray taken for a normal:
+ * measured, as the manual says only that there is one. */
+void camera_bend(const struct scene *s, double x, double y, double width, double height, vec *dir)
+{
+	struct pattern_point at = { .p = { x / width - 0.5, 0.5 - y / height, 0 }, .n = *dir, .dir = *dir };
+
+	if (s->camera.normal)
+		*dir = normal_at(s, s->camera.normal, &at, *dir);
 }

@@ -13,6 +13,9 @@
 bool camera_ray(const struct camera *, double x, double y, double width, double height, vec *org,
 		vec *dir);
 
+/* A camera's normal { } bends the ray through (x, y). */
+void camera_bend(const struct scene *, double x, double y, double width, double height, vec *dir);
+
 /* The same through a point of the lens, -1..1 across and up within the unit circle. */
 bool camera_lens_ray(const struct camera *, double x, double y, double width, double height,
 		     double lens_x, double lens_y, vec *org, vec *dir);

@@ -23,6 +23,7 @@ struct draft {
 	double direction_length; /* what angle or look_at left of it, for want of a focal_point */
 	vec focal_point;
 	bool has_focal_point;
+	struct pov_normal normal;
 	bool moved; /* a declared camera, complete but for transforms */
 	struct xform place;
 	struct diag_pos pos, angle_pos, look_pos;
@@ -215,6 +216,17 @@ static void read_blur_samples(struct pov *p, struct draft *d)
 }
 
 /* Depth of field, and a bumpy lens, which is not rendered. */
+/* Patterns that bend the camera's rays. */
+static void read_normal(struct pov *p, struct draft *d)
+{
+	struct pov_normal *n = pov_read_normal(p, &d->normal);
+
+	if (!n)
+		return;
+	d->normal = *n;
+	pov_lack_add(&d->lack, &n->lack);
+}
+
 static bool read_optics(struct pov *p, struct draft *d)
 {
 	switch (pov_token(p)) {
@@ -238,9 +250,7 @@ static bool read_optics(struct pov *p, struct draft *d)
 			d->focal_distance = vec_length(vec_sub(d->focal_point, d->location));
 		return true;
 	case TOK_NORMAL:
-		pov_lack_note(p, &d->lack, "camera normal", "remove normal { } from the camera");
-		pov_next(p);
-		pov_skip_block(p);
+		read_normal(p, d);
 		return true;
 	case TOK_BOKEH:
 		pov_lack_note(p, &d->lack, "bokeh", "remove bokeh { }, which POV-Ray 3.7 does not know");
@@ -321,6 +331,7 @@ static void move_declared(struct pov *p, const struct pov_camera *c, struct draf
 	d->direction = c->camera.direction;
 	d->right = c->camera.right;
 	d->up = c->camera.up;
+	d->normal.normal = c->camera.normal;
 	d->lack = c->lack;
 	d->moved = true;
 	while (!pov_failed(p) && pov_transform(p, &d->place))
@@ -364,6 +375,7 @@ static struct camera finished(const struct draft *d)
 			    .angle = d->angle,
 			    .angle_up = d->angle_up,
 			    .focal_distance = d->focal_distance,
+			    .normal = d->normal.normal,
 			    .pos = d->pos };
 
 	if (!d->moved && !d->has_angle) {
@@ -404,6 +416,8 @@ struct pov_camera *pov_read_camera(struct pov *p)
 	c = pov_new(p, sizeof(*c));
 	if (!c || !pov_close(p, "camera"))
 		return NULL;
+	if (d.normal.normal && d.kind != CAMERA_PERSPECTIVE && d.kind != CAMERA_ORTHOGRAPHIC)
+		pov_lack_note(p, &d.lack, "a normal in this kind of camera", "remove normal { } from the camera");
 	c->camera = finished(&d);
 	c->lack = d.lack;
 	check_lens(p, &c->camera);

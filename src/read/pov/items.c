@@ -468,6 +468,8 @@ void pov_items_end(struct pov *p)
 	if (!pov_failed(p) && s->media_count &&
 	    pov_use_media(p, s->media_count, s->media, &xform_identity, &pov_scene(p)->media))
 		pov_scene(p)->media_count = s->media_count;
+	if (!pov_failed(p) && !scene_adopt_normal(pov_scene(p), &s->copies, &pov_scene(p)->camera.normal))
+		pov_no_memory(p);
 	copies_release(&s->copies);
 	if (!pov_scene(p)->wants_uv)
 		drop_uvs(pov_scene(p));

@@ -76,7 +76,7 @@ struct pov_material { /* ITEM_MATERIAL; each may be NULL */
 };
 
 struct pov_camera { /* ITEM_CAMERA */
-	struct camera camera;
+	struct camera camera; /* its normal in the parser's arena */
 	struct pov_lack lack;
 };
 

@@ -6,6 +6,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/alpha-legacy.pov \
 	tests/features/alpha-sky.pov \
 	tests/features/area-more.pov \
+	tests/features/area-point.pov \
 	tests/features/area.pov \
 	tests/features/background-transmit.pov \
 	tests/features/camera-cylinder1.pov \
@@ -107,6 +108,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/alpha-legacy.exr \
 	tests/features/alpha-sky.exr \
 	tests/features/area-more.exr \
+	tests/features/area-point.exr \
 	tests/features/area.exr \
 	tests/features/background-transmit.exr \
 	tests/features/camera-cylinder1.exr \

@@ -9,4 +9,5 @@ EXTRA_DIST += tests/indirect/unbiased.sh tests/indirect/unbiased.py tests/indire
 	tests/indirect/legacy.pov tests/indirect/legacy.exr \
 	tests/indirect/limit.pov tests/indirect/limit.exr \
 	tests/indirect/mirrors.pov tests/indirect/mirrors.exr \
+	tests/indirect/spread.pov tests/indirect/spread.exr \
 	tests/indirect/weights.pov tests/indirect/weights.exr

@@ -37,11 +37,14 @@ static const struct node *node_of(const struct tree *t, const struct met *m)
 	return BUF_AT(&t->node, struct node, m->node);
 }
 
-/* Can light from dir do anything to a layer? Sets behind: only the second value of diffuse takes it. */
-static bool falls_on(const struct lit_layer *layer, const struct met *m, vec dir, bool *behind)
+/* Can light from dir do anything to a layer? Sets behind: only the second value of diffuse takes it.
+ * Measured: with area_illumination a lamp that is a point, be it to gathered rays only, shines on both sides
+ * of what it is not hidden from. */
+static bool falls_on(const struct lit_layer *layer, const struct light *l, const struct met *m,
+		     const struct node *n, vec dir, bool *behind)
 {
 	*behind = false;
-	if (m->flags & OBJECT_DOUBLE_ILLUMINATE)
+	if (m->flags & OBJECT_DOUBLE_ILLUMINATE || (l->area_illumination && !wide(l, n)))
 		return true;
 	if (vec_dot(layer->normal, dir) >= BESIDE)
 		return true;
@@ -51,12 +54,13 @@ static bool falls_on(const struct lit_layer *layer, const struct met *m, vec dir
 
 static bool wanted(const struct tree *t, const struct light *l, const struct met *m, vec dir)
 {
+	const struct node *n = node_of(t, m);
 	bool behind;
 
-	if (spread(l, node_of(t, m))) /* its points lie in many directions: asked for one by one later */
+	if (spread(l, n)) /* its points lie in many directions: asked for one by one later */
 		return m->layer_count > 0;
 	for (uint32_t i = 0; i < m->layer_count; i++) {
-		if (falls_on(BUF_AT(&t->layer, struct lit_layer, m->first_layer + i), m, dir, &behind))
+		if (falls_on(BUF_AT(&t->layer, struct lit_layer, m->first_layer + i), l, m, n, dir, &behind))
 			return true;
 	}
 	return false;
@@ -374,7 +378,7 @@ static void fall(const struct shader *sh, struct tree *t, const struct met *m, c
 
 		struct rgb c;
 
-		if (!falls_on(layer, m, dir, &f.behind))
+		if (!falls_on(layer, l, m, node_of(t, m), dir, &f.behind))
 			continue;
 		if (layer->finish->crand > 0)
 			f.noise = rng_unit(rng_child(rng_child(node_of(t, m)->key, 0x400000000u + i),

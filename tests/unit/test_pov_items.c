@@ -363,6 +363,12 @@ static void test_objects(void **unused)
 		  "fade_color <1,.5,0> dispersion 1 } }",
 		  "interior 0 ior 1.5 caustics 0.5 fade_distance 2 fade_power 1001 fade_colour < 1 0.5 0 >" },
 		{ "sphere { 0, 1 interior { fade_power 2 } }", "fade_distance 0 fade_power 0 " },
+		{ "sphere { 0, 1 interior { ior 1.5 dispersion 1.02 } }", "dispersion 1.02 samples 7\n" },
+		/* whole bands only */
+		{ "sphere { 0, 1 interior { dispersion_samples 3.9 ior 1.5 dispersion 0.9 } }",
+		  "dispersion 0.9 samples 3\n" },
+		/* POV-Ray wants an ior beside it */
+		{ "sphere { 0, 1 interior { dispersion 1.1 } }", "fade_colour < 0 0 0 >\n" },
 		{ "#declare A = sphere { 0, 1 } object { A translate x }", "place < 1 0 0 0 1 0 0 0 1 1 0 0 >" },
 		{ "#declare A = sphere { 0, 1 } object { A translate x } A",
 		  "object 1 sphere < 0 0 0 > radius 1 texture 0\n" },
@@ -484,11 +490,11 @@ static void test_unsupported(void **unused)
 		{ "lathe { linear_spline 2, <0,0>, <1,1> pigment { uv_mapping checker rgb 0 rgb 1 } }",
 		  "1:1: error: uv_mapping of a lathe is" },
 		{ "text { ttf \"a.ttf\" \"Hi\" 1, 0 }", "1:1: error: text is" },
-		{ "sphere { 0, 1\n pigment { tiling 3 } }", "2:12: error: tiling in a pigment is" },
-		{ "#declare P = pigment { tiling 1 }\nsphere { 0, 1 pigment { P } }",
-		  "1:24: error: tiling in a" },
-		{ "sphere { 0, 1\n texture { tiling 1 texture_map { [0 pigment { rgb 1 }] } } }",
-		  "2:12: error: tiling in a" },
+		{ "sphere { 0, 1\n pigment { pavement } }", "2:12: error: pavement in a pigment is" },
+		{ "#declare P = pigment { pavement }\nsphere { 0, 1 pigment { P } }",
+		  "1:24: error: pavement in a" },
+		{ "sphere { 0, 1\n texture { pavement texture_map { [0 pigment { rgb 1 }] } } }",
+		  "2:12: error: pavement in a" },
 		{ "rainbow { }", "1:1: error: rainbow is" },
 		{ "sphere { 0, 1 clipped_by { bounded_by } }", "1:28: error: clipped_by { bounded_by } is" },
 		{ "difference { sphere { 0, 1 } box { 0, 1 } cutaway_textures }",
@@ -499,9 +505,8 @@ static void test_unsupported(void **unused)
 		  "1:19: error: photons is" },
 		{ "global_settings { subsurface { } } sphere { 0, 1 finish { subsurface { } } }",
 		  "error: subsurface light transport is" },
-		{ "sphere { 0, 1 interior { dispersion 1.1 } }", "1:26: error: dispersion is" },
 		{ "camera { mesh_camera { 1 0 } }", "1:10: error: mesh_camera is" },
-		{ "camera { normal { bumps 1 } }", "1:10: error: camera normal is" },
+		{ "camera { fisheye normal { bumps 1 } }", "error: a normal in this kind of camera is" },
 	};
 
 	(void)unused;
@@ -552,6 +557,9 @@ static void test_errors(void **unused)
 		{ "global_settings { assumed_gamma 0 }", "1:33: error: assumed_gamma is 0" },
 		{ "sphere { 0, 1 scale <1e200,1,1> scale <1e200,1,1> }", "error: the object's transforms have no" },
 		{ "sphere { 0, 1 interior { ior 0 } }", "1:30: error: ior is 0" },
+		{ "sphere { 0, 1 interior { dispersion 0 } }", "1:37: error: dispersion is 0" },
+		{ "sphere { 0, 1 interior { dispersion_samples 1 } }",
+		  "1:45: error: dispersion_samples is 1, but has to be from 2 to 1000\n" },
 		{ "pigment { rgb 1 }", "1:1: error: pigment cannot stand here" },
 		{ "#declare A = location;", "1:14: error: location cannot be declared\n" },
 		{ "#default { texture { pigment { rgb 1 } } texture { } finish { ambient 1 } } #declare "

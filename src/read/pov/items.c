@@ -444,6 +444,7 @@ struct pov_state *pov_items_begin(struct pov *p)
 	s->first_layer.finish.finish = finish_default();
 	s->first = (struct pov_texture){ .count = 1, .layer = &s->first_layer, .index = SCENE_NONE };
 	s->base = &s->first;
+	s->copies.book = pov_book(p);
 	s->object_limit = read_limits_fill(&pov_options(p)->limits).objects;
 	pov_scene(p)->assumed_gamma = 0; /* until it is given */
 	return s;

@@ -447,7 +447,6 @@ uint32_t pov_use_texture(struct pov *p, struct pov_texture *t)
 	}
 	made = pov_texture_made(p, from);
 	index = made ? scene_add_texture(s, 0) : SCENE_NONE;
-	pov_state(p)->copies.book = pov_book(p);
 	if (index == SCENE_NONE || !scene_adopt_texture(s, &pov_state(p)->copies, made, &s->texture[index])) {
 		pov_no_memory(p);
 		return SCENE_NONE;

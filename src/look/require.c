@@ -26,7 +26,7 @@ static void look_at_finishes(const struct scene *s, struct features *f)
 				     rgb_max(t->layer[l].finish.reflection_min) > 0;
 	}
 	for (uint32_t i = 0; i < s->interior_count; i++) {
-		f->refraction |= s->interior[i].ior != 1;
+		f->refraction |= s->interior[i].ior != 1 || s->interior[i].dispersion != 1;
 		f->fade |= s->interior[i].fade_power > 0;
 	}
 }

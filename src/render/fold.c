@@ -4,6 +4,7 @@
 #include "render/fold.h"
 
 #include "shade/indirect.h"
+#include "shade/pov/spectrum.h"
 
 /* POV-Ray's reflection exponent changes what a mirror shows (manual 3.4.6.3.6). Less than no light, as where
  * filter and transmit are more than 1 together, has no such power: POV-Ray's pixel is no number then. */
@@ -25,21 +26,49 @@ static struct rgb squared(struct rgb a)
 	return rgb_mul(a, a);
 }
 
+static struct folded folded_node(const struct node *n)
+{
+	return (struct folded){ n->colour, n->variance, n->transmit };
+}
+
+static void add_bands(struct folded *out, const struct tree *t, uint32_t child, struct rgb share)
+{
+	const struct node *n = BUF_AT(&t->node, struct node, child);
+
+	out->colour = rgb_add(out->colour, rgb_mul(share, n->colour));
+	out->variance = rgb_add(out->variance, rgb_mul(squared(share), n->variance));
+}
+
+/* Light that was split, put together again. Nothing of the background's transparency is left of it. */
+static struct folded fold_bands(const struct tree *t, const struct part *p)
+{
+	struct folded out = { .transmit = 0 };
+	uint32_t next = p->through;
+
+	for (uint32_t i = 0; i < p->bands; i++) {
+		if (i < p->total_from || i >= p->total_to)
+			add_bands(&out, t, next++, spectrum_colour(i, i + 1, p->bands));
+	}
+	if (p->total_from < p->total_to)
+		add_bands(&out, t, next, spectrum_colour(p->total_from, p->total_to, p->bands));
+	return out;
+}
+
 /* What comes through the surface, with the part's filter and the fading of the way in. */
 static void fold_through(const struct tree *t, const struct part *p, struct folded *out)
 {
-	const struct node *child;
 	struct rgb c = p->fade;
+	struct folded from;
 
 	if (p->through == TREE_NONE)
 		return;
-	child = BUF_AT(&t->node, struct node, p->through);
+	from = p->bands ? fold_bands(t, p) : folded_node(BUF_AT(&t->node, struct node, p->through));
 	if (!p->total) {
 		c = rgb_mul(c, p->filter);
-		out->transmit = rgb_grey(p->fade) * child->transmit * p->clear;
+		out->transmit = rgb_grey(p->fade) * from.transmit * p->clear;
 	}
-	out->colour = rgb_add(out->colour, rgb_mul(c, child->colour));
-	out->variance = rgb_add(out->variance, rgb_mul(squared(c), child->variance));
+	out->colour = rgb_add(out->colour, rgb_mul(c, from.colour));
+	out->variance = rgb_add(out->variance, rgb_mul(squared(c), from.variance));
 }
 
 static void fold_part(const struct tree *t, const struct part *p, struct folded *out)

@@ -142,6 +142,10 @@ static void dump_interior(const struct interior *in, uint32_t i, FILE *to)
 	put_word(to, "fade_distance", in->fade_distance);
 	put_word(to, "fade_power", in->fade_power);
 	put_rgb(to, "fade_colour", in->fade_colour);
+	if (in->dispersion != 1) {
+		put_word(to, "dispersion", in->dispersion);
+		fprintf(to, " samples %u", in->dispersion_samples);
+	}
 	putc('\n', to);
 	dump_media(in->media_count, in->media, to);
 }

@@ -411,6 +411,8 @@ static uint64_t hash_interior(uint64_t h, const struct interior *in)
 	h = HASH(h, in->fade_distance);
 	h = HASH(h, in->fade_power);
 	h = HASH(h, in->fade_colour);
+	h = HASH(h, in->dispersion);
+	h = HASH(h, in->dispersion_samples);
 	return hash_media(h, in->media_count, in->media);
 }
 

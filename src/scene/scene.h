@@ -82,6 +82,8 @@ struct interior {
 	double caustics; /* 0: none */
 	double fade_distance, fade_power; /* no fading unless fade_power > 0 */
 	struct rgb fade_colour;
+	double dispersion; /* ior of violet to that of red; 1: none, > 0 */
+	uint32_t dispersion_samples; /* bands that white light is split into, at least 2 */
 	uint32_t media_count; /* of hollow objects; 0: empty */
 	struct media *media; /* in the arena */
 };

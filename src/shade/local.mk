@@ -13,6 +13,7 @@ src_libalidade_la_SOURCES += \
 	src/shade/pov/shadow.c src/shade/pov/shadow.h \
 	src/shade/pov/sky.c \
 	src/shade/pov/spawn.c \
+	src/shade/pov/spectrum.c src/shade/pov/spectrum.h src/shade/pov/spectrum_table.h \
 	src/shade/pov/texture.c \
 	src/shade/shade.c src/shade/shade.h \
 	src/shade/tree.c src/shade/tree.h

@@ -25,6 +25,7 @@ struct node {
 	double weight; /* share of the pixel that it can still be, for adc_bailout */
 	uint64_t key; /* what its random numbers are made of */
 	double width, spread; /* of its cone where it starts, and by how much it widens a unit; 0: none */
+	double band; /* of the spectrum, from violet 0 to red 1, if a prism left it no more; or 0: white */
 	double length; /* of its way to what it hit, or infinite; known once it is traced */
 	uint32_t level; /* mirrors and refractions before it */
 	uint32_t bounce; /* diffuse bounces before it: it brings indirect light if not 0 */
@@ -80,6 +81,9 @@ struct part {
 	double clear; /* grey of filter, at most 1 */
 	uint32_t through; /* a node, or TREE_NONE */
 	bool total; /* through is a total reflection, and is not filtered */
+	/* Of light that is split: how many bands, of which those from .. to - 1 are totally reflected. One node
+	 * from through on for each other band, and one for these. 0: not split. */
+	uint32_t bands, total_from, total_to;
 	uint32_t first_layer, layer_count; /* of tree.layer, until the wave is shaded */
 	uint32_t first_mirror, mirror_count;
 };

@@ -2,6 +2,7 @@ TESTS += tests/features/features.sh
 EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/alpha-background.pov \
 	tests/features/alpha-fog.pov \
+	tests/features/alpha-dispersion.pov \
 	tests/features/alpha-glass.pov \
 	tests/features/alpha-legacy.pov \
 	tests/features/alpha-sky.pov \
@@ -24,6 +25,9 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/csg-glass.pov \
 	tests/features/csg-solids.pov \
 	tests/features/depth-limit.pov \
+	tests/features/dispersion.pov \
+	tests/features/dispersion-nested.pov \
+	tests/features/dispersion-total.pov \
 	tests/features/diffuse-back.pov \
 	tests/features/diffuse.pov \
 	tests/features/bump-glass.pov \
@@ -104,6 +108,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/union.pov \
 	tests/features/alpha-background.exr \
 	tests/features/alpha-fog.exr \
+	tests/features/alpha-dispersion.exr \
 	tests/features/alpha-glass.exr \
 	tests/features/alpha-legacy.exr \
 	tests/features/alpha-sky.exr \
@@ -126,6 +131,9 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/csg-glass.exr \
 	tests/features/csg-solids.exr \
 	tests/features/depth-limit.exr \
+	tests/features/dispersion.exr \
+	tests/features/dispersion-nested.exr \
+	tests/features/dispersion-total.exr \
 	tests/features/diffuse-back.exr \
 	tests/features/diffuse.exr \
 	tests/features/bump-glass.exr \

@@ -39,7 +39,7 @@ static void add_sphere(struct scene *s, vec centre, double radius, uint32_t text
 {
 	uint32_t o = scene_add_object(s), in = scene_add_interior(s);
 
-	s->interior[in] = (struct interior){ .ior = ior };
+	s->interior[in] = (struct interior){ .ior = ior, .dispersion = 1 };
 	s->object[o].kind = SHAPE_SPHERE;
 	s->object[o].shape.sphere.centre = centre;
 	s->object[o].shape.sphere.radius = radius;

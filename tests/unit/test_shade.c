@@ -16,6 +16,7 @@
 #include "shade/light.h"
 #include "shade/pov/finish.h"
 #include "shade/pov/interior.h"
+#include "shade/pov/spectrum.h"
 
 #define NEAR(a, b) assert_true(fabs((a) - (b)) < 1e-12)
 
@@ -167,7 +168,7 @@ static double cross(const struct scene *s, struct tree *t, uint32_t *list, uint3
 {
 	struct met m = { .object = object, .interior = interior };
 
-	return interior_cross(s, t, list, &m);
+	return interior_cross(s, t, list, &m).ratio;
 }
 
 static void interiors_nest_and_overlap(void **state)
@@ -176,15 +177,16 @@ static void interiors_nest_and_overlap(void **state)
 	struct scene s;
 	struct tree t;
 	uint32_t list = TREE_NONE, a, b;
+	struct crossing c;
 
 	(void)state;
 	mem_book_init(&book, 0);
 	scene_init(&s, &book);
 	tree_init(&t, &book);
 	a = scene_add_interior(&s);
-	s.interior[a] = (struct interior){ .ior = 1.5 };
+	s.interior[a] = (struct interior){ .ior = 1.5, .dispersion = 1, .dispersion_samples = 7 };
 	b = scene_add_interior(&s);
-	s.interior[b] = (struct interior){ .ior = 2 };
+	s.interior[b] = (struct interior){ .ior = 2, .dispersion = 1.1, .dispersion_samples = 5 };
 
 	NEAR(interior_relative_ior(&s, &t, list, 7, a), 1.5);
 	NEAR(cross(&s, &t, &list, 7, a), 1 / 1.5); /* into 7 */
@@ -194,7 +196,10 @@ static void interiors_nest_and_overlap(void **state)
 	NEAR(cross(&s, &t, &list, 7, a), 1); /* out of 7, still in 8 */
 	assert_true(inside_contains(&t, list, 8));
 	assert_false(inside_contains(&t, list, 7));
-	NEAR(cross(&s, &t, &list, 8, b), 2); /* out */
+	c = interior_cross(&s, &t, &list, &(struct met){ .object = 8, .interior = b }); /* out */
+	NEAR(c.ratio, 2);
+	NEAR(c.dispersion, 1.1);
+	assert_int_equal(c.bands, 5);
 	assert_int_equal(list, TREE_NONE);
 
 	s.interior[a].fade_distance = 2;
@@ -209,6 +214,25 @@ static void interiors_nest_and_overlap(void **state)
 	tree_release(&t);
 	scene_release(&s);
 	assert_int_equal(book.now, 0);
+}
+
+static void bands_of_light_add_up(void **state)
+{
+	struct rgb all = spectrum_colour(0, 7, 7), sum = { 0, 0, 0 }, violet = spectrum_colour(0, 1, 5),
+		   red = spectrum_colour(4, 5, 5), some;
+
+	(void)state;
+	for (uint32_t i = 0; i < 7; i++)
+		sum = rgb_add(sum, spectrum_colour(i, i + 1, 7));
+	NEAR(sum.r, all.r);
+	NEAR(sum.g, 1);
+	NEAR(sum.b, all.b);
+	assert_true(violet.b > 4 * violet.r && red.r > 4 * red.g && red.b == 0);
+	some = rgb_add(spectrum_colour(10, 12, 30), spectrum_colour(12, 20, 30));
+	NEAR(some.g, spectrum_colour(1, 2, 3).g);
+	NEAR(spectrum_ior(1.5, 1.2, spectrum_band(3, 7)), 1.5);
+	NEAR(spectrum_ior(1.5, 1.2, 0) / spectrum_ior(1.5, 1.2, 1), 1.2);
+	NEAR(spectrum_ior(1.5, 1.2, 0.3) * spectrum_ior(1 / 1.5, 1 / 1.2, 0.3), 1);
 }
 
 /* A root with one part; a refracted child seen through a filter, a mirrored one with an exponent. */
@@ -247,6 +271,14 @@ static void trees_fold_bottom_up(void **state)
 	fold_nodes(&shader, &t, 0, 1);
 	NEAR(n[0].colour.b, 0.5 * (0.3 + 4));
 	NEAR(n[0].transmit, 0);
+
+	/* two bands, the first of them totally reflected: its node stands last */
+	*BUF_AT(&t.part, struct part, 0) = (struct part){ .share = 1, .filter = { 1, 1, 1 }, .fade = { 1, 1, 1 },
+		.clear = 1, .through = 1, .bands = 2, .total_to = 1 };
+	n[0].colour = rgb_make(0, 0, 0);
+	fold_nodes(&shader, &t, 0, 1);
+	NEAR(n[0].colour.r, spectrum_colour(1, 2, 2).r * 1 + spectrum_colour(0, 1, 2).r * 0.25);
+	NEAR(n[0].transmit, 0);
 	tree_release(&t);
 }
 
@@ -261,6 +293,7 @@ int main(void)
 		cmocka_unit_test(finish_follows_the_manual),
 		cmocka_unit_test(mirrors_depend_on_the_angle),
 		cmocka_unit_test(interiors_nest_and_overlap),
+		cmocka_unit_test(bands_of_light_add_up),
 		cmocka_unit_test(trees_fold_bottom_up),
 	};
 

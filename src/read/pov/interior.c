@@ -7,16 +7,20 @@
 
 #include "read/pov/items.h"
 
-static void read_dispersion(struct pov *p, struct pov_interior *in)
-{
-	struct pov_lack lack = { 0 };
-	double x;
+#define BANDS 7 /* that POV-Ray splits light into when nobody says how many */
+#define MOST_BANDS 1000
 
-	pov_lack_note(p, &lack, "dispersion", "remove dispersion from the interior");
-	pov_next(p);
-	x = pov_finite_float(p, "dispersion");
-	if (x != 1 && x != 0)
-		pov_lack_add(&in->lack, &lack);
+/* Of POV-Ray's fractions of a band only whole ones count: measured. */
+static void read_bands(struct pov *p, struct interior *i)
+{
+	struct diag_pos at = pov_here(p);
+	double x = pov_finite_float(p, "dispersion_samples");
+
+	if (!pov_failed(p) && !(x >= 2 && x < MOST_BANDS + 1)) {
+		pov_fail_at(p, &at, "dispersion_samples is %g, but has to be from 2 to %d", x, MOST_BANDS);
+		return;
+	}
+	i->dispersion_samples = (uint32_t)x;
 }
 
 static bool read_word(struct pov *p, struct pov_interior *in)
@@ -27,6 +31,7 @@ static bool read_word(struct pov *p, struct pov_interior *in)
 	case TOK_IOR:
 		pov_next(p);
 		i->ior = pov_positive(p, "ior");
+		in->bends = true;
 		return true;
 	case TOK_CAUSTICS:
 		pov_next(p);
@@ -45,9 +50,14 @@ static bool read_word(struct pov *p, struct pov_interior *in)
 		i->fade_colour = rgbft_rgb(pov_finite_colour(p, "fade_color"));
 		return true;
 	case TOK_DISPERSION:
-		read_dispersion(p, in);
+		in->splits = pov_here(p);
+		pov_next(p);
+		i->dispersion = pov_positive(p, "dispersion");
 		return true;
 	case TOK_DISPERSION_SAMPLES:
+		pov_next(p);
+		read_bands(p, i);
+		return true;
 	case TOK_REFRACTION:
 		pov_next(p);
 		pov_float(p);
@@ -61,7 +71,7 @@ static bool read_word(struct pov *p, struct pov_interior *in)
 
 struct pov_interior *pov_read_interior(struct pov *p, const struct pov_interior *base)
 {
-	struct pov_interior in = { .interior = { .ior = 1 } };
+	struct pov_interior in = { .interior = { .ior = 1, .dispersion = 1, .dispersion_samples = BANDS } };
 	struct pov_interior *named;
 
 	if (base)

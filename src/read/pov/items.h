@@ -64,6 +64,8 @@ struct pov_media { /* ITEM_MEDIA */
 
 struct pov_interior { /* ITEM_INTERIOR */
 	struct interior interior;
+	bool bends; /* its ior was given */
+	struct diag_pos splits; /* where its dispersion was */
 	struct pov_lack lack;
 	uint32_t media_count;
 	struct pov_media *media; /* [media_count]; they matter only in a hollow object */

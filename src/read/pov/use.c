@@ -69,6 +69,15 @@ static bool use_light(struct pov *p, const struct pov_object *o, const struct ma
 	return true;
 }
 
+/* As in POV-Ray, an interior that does not say what it bends splits nothing. */
+static void check_dispersion(struct pov *p, const struct pov_interior *in, struct interior *made)
+{
+	if (in->bends || made->dispersion == 1)
+		return;
+	made->dispersion = 1;
+	pov_warn(p, &in->splits, "dispersion without ior does nothing, as in POV-Ray; add ior before it");
+}
+
 /* Each place of an interior with media is one of its own. As in POV-Ray, media fill hollow objects only. */
 static uint32_t use_interior(struct pov *p, struct pov_interior *in, bool hollow, const struct xform *place)
 {
@@ -89,6 +98,7 @@ static uint32_t use_interior(struct pov *p, struct pov_interior *in, bool hollow
 	*made = in->interior;
 	if (fabs(in->interior.fade_distance) < 1e-10)
 		made->fade_power = 0;
+	check_dispersion(p, in, made);
 	if (!count)
 		in->index = index;
 	else if (pov_use_media(p, count, in->media, place, &made->media))

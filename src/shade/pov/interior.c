@@ -47,28 +47,46 @@ double interior_relative_ior(const struct scene *s, const struct tree *t, uint32
 	return head->outer == TREE_NONE ? 1 / own : around / own;
 }
 
-double interior_cross(const struct scene *s, struct tree *t, uint32_t *list, const struct met *m)
-{
-	double own = interior_ior(s, m->interior), ratio;
-	const struct inside *head;
+#define BANDS 7 /* POV-Ray's, also of what has no interior */
 
-	if (*list == TREE_NONE) {
-		ratio = 1 / own;
-		*list = inside_enter(t, *list, m->object, m->interior, m->flags & OBJECT_HOLLOW);
-		return ratio;
-	}
-	head = BUF_AT(&t->inside, struct inside, *list);
-	if (head->object == m->object) { /* out of the innermost: the next one counts as outside */
-		*list = head->outer;
-		return *list == TREE_NONE ?
-			       own :
-			       own / interior_ior(s, BUF_AT(&t->inside, struct inside, *list)->interior);
+static const struct interior air = { .ior = 1, .dispersion = 1, .dispersion_samples = BANDS };
+
+static const struct interior *interior_of(const struct scene *s, uint32_t interior)
+{
+	return interior == SCENE_NONE ? &air : &s->interior[interior];
+}
+
+static const struct interior *innermost(const struct scene *s, const struct tree *t, uint32_t list)
+{
+	return list == TREE_NONE ? &air : interior_of(s, BUF_AT(&t->inside, struct inside, list)->interior);
+}
+
+/* The surface is own's, which also says into how many bands light is split: measured. */
+static struct crossing between(const struct interior *near, const struct interior *far, const struct interior *own)
+{
+	return (struct crossing){ near->ior / far->ior, near->dispersion / far->dispersion,
+				  own->dispersion_samples };
+}
+
+struct crossing interior_cross(const struct scene *s, struct tree *t, uint32_t *list, const struct met *m)
+{
+	const struct interior *own = interior_of(s, m->interior), *around = innermost(s, t, *list);
+	struct crossing c;
+
+	if (*list != TREE_NONE && BUF_AT(&t->inside, struct inside, *list)->object == m->object) {
+		/* out of the innermost: the next one counts as outside */
+		*list = BUF_AT(&t->inside, struct inside, *list)->outer;
+		around = innermost(s, t, *list);
+		c = between(own, around, own);
+		if (*list != TREE_NONE && c.bands < around->dispersion_samples)
+			c.bands = around->dispersion_samples;
+		return c;
 	}
 	if (inside_contains(t, *list, m->object)) { /* out of an overlap: left before */
 		*list = inside_leave(t, *list, m->object);
-		return 1;
+		return (struct crossing){ 1, 1, 0 };
 	}
-	ratio = interior_ior(s, head->interior) / own;
+	c = between(around, own, own);
 	*list = inside_enter(t, *list, m->object, m->interior, m->flags & OBJECT_HOLLOW);
-	return ratio;
+	return c;
 }

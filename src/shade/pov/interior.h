@@ -14,7 +14,13 @@ struct rgb interior_fade(const struct scene *, uint32_t interior, double distanc
 /* Index of the far side of a surface relative to the near one, for fresnel. */
 double interior_relative_ior(const struct scene *, const struct tree *, uint32_t list, uint32_t object,
 			     uint32_t interior);
-/* Go through the surface: *list becomes what the ray is then in; the ratio of indices, near to far. */
-double interior_cross(const struct scene *, struct tree *, uint32_t *list, const struct met *);
+/* What a surface does to rays through it. */
+struct crossing {
+	double ratio; /* of indices, near to far */
+	double dispersion; /* of the same, at violet to that at red */
+	uint32_t bands; /* that white light is split into if dispersion is not 1 */
+};
+/* Go through the surface: *list becomes what the ray is then in. */
+struct crossing interior_cross(const struct scene *, struct tree *, uint32_t *list, const struct met *);
 
 #endif

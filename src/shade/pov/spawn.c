@@ -8,6 +8,7 @@
 #include "shade/indirect.h"
 #include "shade/pov/interior.h"
 #include "shade/pov/shadow.h"
+#include "shade/pov/spectrum.h"
 #include "shade/shade.h"
 
 #define SAME 1e-10 /* indices closer than this bend nothing */
@@ -18,6 +19,7 @@ struct spawn {
 	enum node_kind kind;
 	uint32_t inside;
 	bool straight, clear_sky;
+	double band;
 	uint64_t slot; /* of the parent's random numbers */
 };
 
@@ -44,6 +46,7 @@ static uint32_t add_node(const struct shader *sh, struct tree *t, const struct m
 							   .key = key,
 							   .width = width,
 							   .spread = spread,
+							   .band = s->band,
 							   .level = level,
 							   .bounce = bounce,
 							   .path = path,
@@ -75,7 +78,68 @@ static double strongest(struct rgb c)
 	return fmax(fabs(c.r), fmax(fabs(c.g), fabs(c.b)));
 }
 
-/* Through the surface: straight on, bent, or totally reflected. */
+/* Bent by a surface of this ratio of indices, or totally reflected by it. */
+static void refract(struct spawn *s, const struct spawn *ray, const struct met *m, vec normal, double ratio)
+{
+	double c = -vec_dot(ray->dir, normal), k = 1 + ratio * ratio * (c * c - 1);
+
+	if (k < 0) {
+		s->dir = mirrored(ray->dir, normal, m->ns); /* as it was, not turned: measured */
+		s->kind = NODE_REFLECTED;
+		s->inside = ray->inside;
+		s->clear_sky = false;
+		return;
+	}
+	if (c < 0) { /* a bent normal that looks away is turned, as in POV-Ray */
+		normal = vec_neg(normal);
+		c = -c;
+	}
+	s->dir = vec_unit(vec_mad(vec_scale(ray->dir, ratio), normal, ratio * c - sqrt(k)));
+}
+
+/*
+ * White light in bands. What all bands do alike is done once: those that are totally reflected, which are next to
+ * each other as the indices rise with the bands or fall, are one white ray.
+ */
+static void split(const struct shader *sh, struct tree *t, const struct met *m, uint32_t part, const struct spawn *ray,
+		  struct spawn *s, const struct crossing *at)
+{
+	struct part p = *BUF_AT(&t->part, struct part, part);
+	struct spawn total = *s;
+
+	p.total_from = p.total_to = 0;
+	p.bands = at->bands;
+	for (uint32_t i = 0; i < at->bands; i++) {
+		struct spawn one = *s;
+		uint32_t child;
+
+		one.band = spectrum_band(i, at->bands);
+		one.slot = rng_child(s->slot, i);
+		refract(&one, ray, m, p.normal, spectrum_ior(at->ratio, at->dispersion, one.band));
+		if (one.kind == NODE_REFLECTED) {
+			p.total_from = p.total_to ? p.total_from : i;
+			p.total_to = i + 1;
+			total = one;
+			continue;
+		}
+		child = add_node(sh, t, m, &one);
+		if (child == TREE_NONE)
+			return; /* so will all the others be */
+		p.through = p.through == TREE_NONE ? child : p.through;
+	}
+	if (p.total_to) {
+		uint32_t child;
+
+		total.band = 0;
+		child = add_node(sh, t, m, &total);
+		if (child == TREE_NONE)
+			return;
+		p.through = p.through == TREE_NONE ? child : p.through;
+	}
+	*BUF_AT(&t->part, struct part, part) = p;
+}
+
+/* Through the surface: straight on, bent, split, or totally reflected. */
 static void spawn_through(const struct shader *sh, struct tree *t, const struct met *m, uint32_t part)
 {
 	struct part *p = BUF_AT(&t->part, struct part, part);
@@ -85,33 +149,27 @@ static void spawn_through(const struct shader *sh, struct tree *t, const struct 
 			   .kind = NODE_REFRACTED,
 			   .inside = n->inside,
 			   .clear_sky = n->clear_sky,
+			   .band = n->band,
 			   .slot = 2 * (uint64_t)(part - m->first_part) };
-	vec dir = n->dir, normal = p->normal;
-	uint32_t before = n->inside, child;
-	double ratio, c, k;
+	const struct spawn ray = s;
+	struct crossing at;
+	uint32_t child;
 
-	if (inside_contains(t, before, m->object))
+	if (inside_contains(t, n->inside, m->object))
 		p->fade = interior_fade(sh->scene, m->interior, m->t);
-	ratio = interior_cross(sh->scene, t, &s.inside, m);
-	if (fabs(ratio - 1) < SAME) {
+	at = interior_cross(sh->scene, t, &s.inside, m);
+	if (fabs(at.dispersion - 1) >= SAME) {
+		if (n->band == 0) {
+			split(sh, t, m, part, &ray, &s, &at);
+			return;
+		}
+		refract(&s, &ray, m, p->normal, spectrum_ior(at.ratio, at.dispersion, n->band));
+	} else if (fabs(at.ratio - 1) < SAME) {
 		s.straight = true;
 	} else {
-		c = -vec_dot(dir, normal);
-		if (c < 0) { /* a bent normal that looks away is turned, as in POV-Ray */
-			normal = vec_neg(normal);
-			c = -c;
-		}
-		k = 1 + ratio * ratio * (c * c - 1);
-		if (k < 0) {
-			p->total = true;
-			s.dir = mirrored(dir, p->normal, m->ns); /* as it was, not turned: measured */
-			s.kind = NODE_REFLECTED;
-			s.inside = before;
-			s.clear_sky = false;
-		} else {
-			s.dir = vec_unit(vec_mad(vec_scale(dir, ratio), normal, ratio * c - sqrt(k)));
-		}
+		refract(&s, &ray, m, p->normal, at.ratio);
 	}
+	p->total = s.kind == NODE_REFLECTED;
 	child = add_node(sh, t, m, &s);
 	BUF_AT(&t->part, struct part, part)->through = child;
 }
@@ -125,6 +183,7 @@ static void spawn_mirror(const struct shader *sh, struct tree *t, const struct m
 			   .weight = r->weight,
 			   .kind = NODE_REFLECTED,
 			   .inside = n->inside,
+			   .band = n->band,
 			   .slot = 2 * (uint64_t)slot + 1 };
 	uint32_t child = add_node(sh, t, m, &s);
 

@@ -32,11 +32,13 @@ static void enter_level(const struct prim_level *l, const ald_ray *in, ald_ray *
 	out->dir = vec_scale(in->dir, l->scale);
 }
 
-/* The nearest plane: it becomes the ray's tmax, so that the accelerator looks no further; ties go to the
- * accelerator, whose ids are smaller. */
+/* The nearest plane: it becomes the ray's tmax, so that the accelerator looks no further. Of what is met
+ * at the same t planes come first, as in POV-Ray: a glass box that stands on a floor shows the floor. The
+ * ray is left to ask for primitives in that order. */
 static uint32_t nearest_plane(const struct geometry *g, struct worker *w, ald_ray *r)
 {
 	uint32_t count = g->set.level[0].count, best = ALD_NONE;
+	bool past = r->after < count; /* all planes at tmin have had their turn */
 	ald_hit h = { .t = r->tmax, .prim = ALD_NONE };
 	double t;
 
@@ -48,7 +50,8 @@ static uint32_t nearest_plane(const struct geometry *g, struct worker *w, ald_ra
 			continue;
 		if (w->query[0].q.count)
 			w->count[ALD_COUNT_PRIMS]++;
-		if (!plane_intersect(&u->plane, r, &t) || !ald_counts(r, t, id, &h))
+		if (!plane_intersect(&u->plane, r, &t) || (past && t == r->tmin) ||
+		    !ald_counts(r, t, id, &h))
 			continue;
 		if (u->node != SCENE_NONE && !csg_shows(&g->view[0], w, u->node, r, t))
 			continue;
@@ -57,6 +60,10 @@ static uint32_t nearest_plane(const struct geometry *g, struct worker *w, ald_ra
 	}
 	if (best != ALD_NONE)
 		r->tmax = h.t;
+	if (!past && r->after != ALD_NONE) { /* behind a plane: all primitives at tmin are still to come */
+		r->tmin = nextafter(r->tmin, -ALD_INF);
+		r->after = ALD_NONE;
+	}
 	return best;
 }
 
@@ -78,8 +85,8 @@ void trace_nearest(const struct geometry *g, uint32_t thread, const ald_ray *ray
 			accel_nearest_n(g->plugin, g->view[0].accel, &w->query[0].q, w->ray, hit, m,
 					hints);
 		for (uint32_t i = 0; g->set.unbounded_count && i < m; i++) {
-			if (hit[i].prim == ALD_NONE)
-				hit[i].prim = w->plane[i];
+			if (w->plane[i] != ALD_NONE && hit[i].t >= w->ray[i].tmax)
+				hit[i] = (ald_hit){ .t = w->ray[i].tmax, .prim = w->plane[i] };
 		}
 	}
 }

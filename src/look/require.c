@@ -27,7 +27,7 @@ static void look_at_finishes(const struct scene *s, struct features *f)
 	}
 	for (uint32_t i = 0; i < s->interior_count; i++) {
 		f->refraction |= s->interior[i].ior != 1 || s->interior[i].dispersion != 1;
-		f->fade |= s->interior[i].fade_power > 0;
+		f->fade |= s->interior[i].fade_distance != 0;
 	}
 }
 

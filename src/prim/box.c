@@ -2,25 +2,30 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * A box about the origin with half sizes p->half; faces 0..5 are -x, +x, -y, +y, -z, +z. A half size may
- * be 0.
+ * be 0. An own unit along each axis is a level unit across the faces.
  */
 #include "prim/prim.h"
 
-static void box_roots(const struct prim *p, vec o, vec d, struct prim_roots *out)
+/* Rays are not moved to the box's own centre: with the very arithmetic of plane_intersect(), a face and
+ * the plane that it stands in are met at the same t, to the bit, and which of them counts is settled by
+ * their numbers and not by noise (a glass cube on a floor; a camera in a room's wall). */
+void box_crossings(const struct prim *p, const ald_ray *r, struct prim_roots *out)
 {
 	double t0 = -ALD_INF, t1 = ALD_INF;
 	uint32_t f0 = 0, f1 = 0;
 
 	for (uint32_t k = 0; k < 3; k++) {
-		double h = (&p->half.x)[k], at = (&o.x)[k], dir = (&d.x)[k], a, b;
+		vec n = { p->to.m[0][k], p->to.m[1][k], p->to.m[2][k] };
+		double at = vec_dot(n, r->org), dir = vec_dot(n, r->dir), a, b;
+		double lo = p->side[2 * k], hi = p->side[2 * k + 1];
 
 		if (dir == 0) {
-			if (fabs(at) > h)
+			if (!(lo <= at && at <= hi))
 				return;
 			continue;
 		}
-		a = (-copysign(h, dir) - at) / dir;
-		b = (copysign(h, dir) - at) / dir;
+		a = ((dir < 0 ? hi : lo) - at) / dir;
+		b = ((dir < 0 ? lo : hi) - at) / dir;
 		if (a > t0) {
 			t0 = a;
 			f0 = 2 * k + (dir < 0);
@@ -67,4 +72,4 @@ static double box_reach(const struct prim *p, unsigned k, bool up)
 	       fabs(p->half.z * p->from.m[2][k]);
 }
 
-const struct prim_ops prim_box_ops = { box_roots, box_surface, box_inside, box_reach };
+const struct prim_ops prim_box_ops = { NULL, box_surface, box_inside, box_reach };

@@ -25,7 +25,8 @@ struct prim {
 	struct mat from; /* own to level; linear part only */
 	double a, b; /* cone: mean radius and half the growth; torus: minor radius; disc: hole;
 			superellipsoid: its powers */
-	vec half; /* box */
+	vec half; /* box; a plane's normal */
+	double side[6]; /* box: along the columns of to, which are unit, where its faces are; like prim_plane.d */
 	ald_box box; /* grown, as the accelerator sees it; a body has none */
 	const void *data; /* of a body, see body.h */
 	uint32_t node; /* in constructive solid geometry, see csg.h; SCENE_NONE: all of the surface shows */
@@ -59,6 +60,9 @@ struct prim_ops {
 	bool (*inside)(const struct prim *, vec p);
 	double (*reach)(const struct prim *, unsigned k, bool up);
 };
+
+/* A box's, from level coordinates. */
+void box_crossings(const struct prim *, const ald_ray *, struct prim_roots *);
 
 extern const struct prim_ops prim_sphere_ops, prim_box_ops, prim_cone_ops, prim_disc_ops, prim_torus_ops,
 	prim_plane_ops, prim_superellipsoid_ops;

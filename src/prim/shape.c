@@ -30,8 +30,8 @@ static struct mat canonical(struct prim *p, const struct object *o)
 		m.m[0][0] = m.m[1][1] = m.m[2][2] = o->shape.sphere.radius;
 		break;
 	case SHAPE_BOX:
-		p->half = vec_scale(vec_sub(o->shape.box.hi, o->shape.box.lo), 0.5);
-		c = vec_add(o->shape.box.lo, p->half);
+		c = vec_sub(o->shape.box.hi, o->shape.box.lo);
+		c = vec_mad(o->shape.box.lo, c, 0.5);
 		break;
 	case SHAPE_SUPERELLIPSOID:
 		p->a = 2 / o->shape.superellipsoid.a;
@@ -124,6 +124,32 @@ bool prim_side(const struct prim *p, unsigned k, double down, double up, double 
 	return true;
 }
 
+/* Make own units those of the level across the faces, and the faces what plane_make() makes of them. */
+static bool box_faces(struct prim *p, const struct object *o, const struct xform *place, vec shift,
+		      double scale)
+{
+	for (unsigned k = 0; k < 3; k++) {
+		struct object face = { .kind = SHAPE_PLANE };
+		struct prim_plane plane;
+		double l;
+
+		(&face.shape.plane.normal.x)[k] = 1;
+		for (unsigned side = 0; side < 2; side++) {
+			face.shape.plane.distance = (&(side ? &o->shape.box.hi : &o->shape.box.lo)->x)[k];
+			if (!plane_make(&plane, &face, place, shift, scale))
+				return false;
+			p->side[2 * k + side] = plane.d;
+		}
+		l = vec_length(vec_make(p->to.m[0][k], p->to.m[1][k], p->to.m[2][k]));
+		for (unsigned j = 0; j < 3; j++) {
+			p->to.m[j][k] = (&plane.n.x)[j];
+			p->from.m[k][j] *= l;
+		}
+		(&p->half.x)[k] = ((&o->shape.box.hi.x)[k] - (&o->shape.box.lo.x)[k]) / 2 / l;
+	}
+	return true;
+}
+
 bool prim_make(struct prim *p, const struct object *o, const struct xform *place, vec shift,
 	       double scale, double size, double pad)
 {
@@ -132,7 +158,7 @@ bool prim_make(struct prim *p, const struct object *o, const struct xform *place
 	*p = (struct prim){ .kind = o->kind, .node = SCENE_NONE };
 	m = canonical(p, o);
 	if (!prim_frame(p, &m, place, shift, scale) || !isfinite(p->a) || !isfinite(p->b) ||
-	    !vec_finite(p->half))
+	    (o->kind == SHAPE_BOX && !box_faces(p, o, place, shift, scale)) || !vec_finite(p->half))
 		return false;
 	for (unsigned k = 0; k < 3; k++) {
 		double up = ops_of(p)->reach(p, k, true), down = ops_of(p)->reach(p, k, false);
@@ -177,6 +203,10 @@ void prim_crossings(const struct prim *p, const ald_ray *r, struct prim_roots *r
 	struct prim_line l;
 
 	roots->count = 0;
+	if (p->kind == SHAPE_BOX) {
+		box_crossings(p, r, roots);
+		return;
+	}
 	if (!prim_line(p, r, &l))
 		return;
 	ops_of(p)->roots(p, l.o, l.d, roots);

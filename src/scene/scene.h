@@ -58,7 +58,7 @@ enum light_kind { LIGHT_POINT, LIGHT_SPOT, LIGHT_CYLINDER };
 struct light {
 	enum light_kind kind;
 	bool no_media; /* media_interaction off */
-	bool attenuated; /* media_attenuation: fog takes from its light */
+	bool attenuated; /* media_attenuation: fog and the world's media take from its light */
 	bool parallel; /* rays along -direction from a plane through location */
 	bool shadowless;
 	bool area; /* area_light: size1 x size2 points spread along axis1 and axis2 */
@@ -80,7 +80,7 @@ struct light {
 struct interior {
 	double ior; /* 1: rays pass straight */
 	double caustics; /* 0: none */
-	double fade_distance, fade_power; /* no fading unless fade_power > 0 */
+	double fade_distance, fade_power; /* no fading if fade_distance is 0, of shadows unless fade_power > 0 */
 	struct rgb fade_colour;
 	double dispersion; /* ior of violet to that of red; 1: none, > 0 */
 	uint32_t dispersion_samples; /* bands that white light is split into, at least 2 */

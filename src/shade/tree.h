@@ -141,7 +141,7 @@ struct shadow {
 	vec org, dir;
 	double depth;
 	uint32_t skip, inside;
-	bool fog; /* takes from it */
+	bool air; /* fog and what else fills the world takes from it */
 	bool vacuum; /* media take nothing from it */
 	struct rgb colour; /* in: unshadowed; out: what arrives */
 };

@@ -32,7 +32,9 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/diffuse.pov \
 	tests/features/bump-glass.pov \
 	tests/features/bump-map.pov \
+	tests/features/fade-power.pov \
 	tests/features/fade.pov \
+	tests/features/glass-standing.pov \
 	tests/features/filter-shadow.pov \
 	tests/features/fog-ground.pov \
 	tests/features/fog-hollow.pov \
@@ -138,7 +140,9 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/diffuse.exr \
 	tests/features/bump-glass.exr \
 	tests/features/bump-map.exr \
+	tests/features/fade-power.exr \
 	tests/features/fade.exr \
+	tests/features/glass-standing.exr \
 	tests/features/filter-shadow.exr \
 	tests/features/fog-ground.exr \
 	tests/features/fog-hollow.exr \
@@ -233,7 +237,9 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/bumpy-glass.pov \
 	tests/features/macro-object.exr \
 	tests/features/macro-object.pov \
+	tests/features/media-attenuation.exr \
 	tests/features/media-world.exr \
+	tests/features/media-attenuation.pov \
 	tests/features/media-world.pov \
 	tests/features/warps.exr \
 	tests/features/media.exr \

@@ -362,7 +362,7 @@ static void test_objects(void **unused)
 		{ "sphere { 0, 1 interior { ior 1.5 caustics .5 fade_distance 2 fade_power 1001 "
 		  "fade_color <1,.5,0> dispersion 1 } }",
 		  "interior 0 ior 1.5 caustics 0.5 fade_distance 2 fade_power 1001 fade_colour < 1 0.5 0 >" },
-		{ "sphere { 0, 1 interior { fade_power 2 } }", "fade_distance 0 fade_power 0 " },
+		{ "sphere { 0, 1 interior { fade_power 2 } }", "fade_distance 0 fade_power 2 " },
 		{ "sphere { 0, 1 interior { ior 1.5 dispersion 1.02 } }", "dispersion 1.02 samples 7\n" },
 		/* whole bands only */
 		{ "sphere { 0, 1 interior { dispersion_samples 3.9 ior 1.5 dispersion 0.9 } }",

@@ -97,7 +97,7 @@ static uint32_t use_interior(struct pov *p, struct pov_interior *in, bool hollow
 	made = &s->interior[index];
 	*made = in->interior;
 	if (fabs(in->interior.fade_distance) < 1e-10)
-		made->fade_power = 0;
+		made->fade_distance = 0;
 	check_dispersion(p, in, made);
 	if (!count)
 		in->index = index;

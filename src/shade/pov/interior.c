@@ -16,6 +16,8 @@ static double fade(double colour, double depth, double power)
 	return colour + (1 - colour) / (1 + pow(depth, power));
 }
 
+/* Without a fade_power, or with a negative one, what is seen through the interior fades all the same:
+ * measured. */
 struct rgb interior_fade(const struct scene *s, uint32_t interior, double distance)
 {
 	const struct interior *in;
@@ -24,12 +26,19 @@ struct rgb interior_fade(const struct scene *s, uint32_t interior, double distan
 	if (interior == SCENE_NONE)
 		return rgb_make(1, 1, 1);
 	in = &s->interior[interior];
-	if (!(in->fade_power > 0) || in->fade_distance == 0)
+	if (in->fade_distance == 0)
 		return rgb_make(1, 1, 1);
 	depth = distance / in->fade_distance;
 	return rgb_make(fade(in->fade_colour.r, depth, in->fade_power),
 			fade(in->fade_colour.g, depth, in->fade_power),
 			fade(in->fade_colour.b, depth, in->fade_power));
+}
+
+struct rgb interior_shadow_fade(const struct scene *s, uint32_t interior, double distance)
+{
+	if (interior == SCENE_NONE || !(s->interior[interior].fade_power > 0))
+		return rgb_make(1, 1, 1);
+	return interior_fade(s, interior, distance);
 }
 
 double interior_relative_ior(const struct scene *s, const struct tree *t, uint32_t list, uint32_t object,

@@ -11,6 +11,8 @@
 double interior_ior(const struct scene *, uint32_t interior); /* 1 for SCENE_NONE */
 /* What is left of light after distance through an interior (SCENE_NONE: all of it). */
 struct rgb interior_fade(const struct scene *, uint32_t interior, double distance);
+/* The same for what casts shadows. */
+struct rgb interior_shadow_fade(const struct scene *, uint32_t interior, double distance);
 /* Index of the far side of a surface relative to the near one, for fresnel. */
 double interior_relative_ior(const struct scene *, const struct tree *, uint32_t list, uint32_t object,
 			     uint32_t interior);

@@ -88,7 +88,7 @@ static void ask(const struct shader *sh, struct tree *t, const struct light *l, 
 					 .depth = short_of(m->p, r),
 					 .skip = m->skip,
 					 .inside = n->inside,
-					 .fog = l->attenuated && !l->no_media && air,
+					 .air = l->attenuated && !l->no_media && air,
 					 .vacuum = !air,
 					 .colour = colour };
 }

@@ -600,10 +600,11 @@ void shade_media(const struct shader *sh, struct tree *t, uint32_t thread, uint3
 	}
 }
 
-struct rgb media_clear(const struct shader *sh, struct tree *t, uint32_t list, vec org, vec dir, double length,
-		       uint64_t key)
+static struct rgb clear_along(const struct shader *sh, struct tree *t, uint32_t list, vec org, vec dir,
+			      double length, uint64_t key, bool world)
 {
 	struct segment s = { .node = TREE_NONE,
+			     .world = world,
 			     .list = list,
 			     .org = org,
 			     .dir = dir,
@@ -619,6 +620,18 @@ struct rgb media_clear(const struct shader *sh, struct tree *t, uint32_t list, v
 		return all;
 	sum_segment(&r, &s, 0);
 	return s.clear;
+}
+
+struct rgb media_clear(const struct shader *sh, struct tree *t, uint32_t list, vec org, vec dir, double length,
+		       uint64_t key)
+{
+	return clear_along(sh, t, list, org, dir, length, key, false);
+}
+
+struct rgb media_world_clear(const struct shader *sh, struct tree *t, uint32_t list, vec org, vec dir,
+			     double length, uint64_t key)
+{
+	return clear_along(sh, t, list, org, dir, length, key, true);
 }
 
 void media_sizes(struct tree *t)

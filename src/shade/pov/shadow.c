@@ -94,12 +94,17 @@ static struct rgb surface_filter(const struct shader *sh, const struct surface *
 	return f.sum;
 }
 
-/* The ray went from t0 to this clear surface: take off what was lost. */
-static void through_fog(const struct shader *sh, struct tree *t, struct shadow *s, double from, double to)
+/* The ray went on to t = to, or has come to its end there: take off what is lost in what fills the world. */
+static void through_air(const struct shader *sh, struct tree *t, struct shadow *s, double from, double to)
 {
-	if (s->fog && to > from && inside_hollow(t, s->inside))
-		s->colour = rgb_mul(s->colour, fog_clear(sh->scene, vec_mad(s->org, s->dir, from), s->dir,
-							 to - from, NULL));
+	vec at = vec_mad(s->org, s->dir, from);
+
+	if (!s->air || !(to > from) || !inside_hollow(t, s->inside))
+		return;
+	s->colour = rgb_mul(s->colour, fog_clear(sh->scene, at, s->dir, to - from, NULL));
+	if (sh->scene->media_count)
+		s->colour = rgb_mul(s->colour, media_world_clear(sh, t, s->inside, at, s->dir, to - from,
+								 rng_child(1, s->skip)));
 }
 
 static void cross(const struct shader *sh, struct tree *t, struct shadow *s, const ald_ray *r,
@@ -108,7 +113,7 @@ static void cross(const struct shader *sh, struct tree *t, struct shadow *s, con
 	struct surface at;
 
 	surface_at(sh->geometry, r, h, &at);
-	through_fog(sh, t, s, fmax(0, r->tmin), h->t);
+	through_air(sh, t, s, fmax(0, r->tmin), h->t);
 	if (sh->media && !s->vacuum) {
 		double from = r->tmin > 0 ? r->tmin : 0;
 
@@ -119,7 +124,7 @@ static void cross(const struct shader *sh, struct tree *t, struct shadow *s, con
 	if (inside_contains(t, s->inside, at.object)) {
 		double from = r->tmin > 0 ? r->tmin : 0;
 
-		s->colour = rgb_mul(s->colour, interior_fade(sh->scene, at.interior, h->t - from));
+		s->colour = rgb_mul(s->colour, interior_shadow_fade(sh->scene, at.interior, h->t - from));
 		s->inside = inside_leave(t, s->inside, at.object);
 	} else {
 		s->inside = inside_enter(t, s->inside, at.object, at.interior, at.flags & OBJECT_HOLLOW);
@@ -143,7 +148,7 @@ static void filter_batch(const struct shader *sh, struct tree *t, uint32_t threa
 			struct shadow *one = &s[live[i]];
 
 			if (hit[i].prim == ALD_NONE) {
-				through_fog(sh, t, one, fmax(0, ray[i].tmin), one->depth);
+				through_air(sh, t, one, fmax(0, ray[i].tmin), one->depth);
 				continue;
 			}
 			counts->shadow_hit++;
@@ -179,8 +184,8 @@ static void trace_batch(const struct shader *sh, struct tree *t, uint32_t thread
 			live[left++] = i;
 		}
 	}
-	for (uint32_t i = 0; sh->fog && !sh->clear_shadows && i < left; i++)
-		through_fog(sh, t, &s[live[i]], 0, s[live[i]].depth);
+	for (uint32_t i = 0; (sh->fog || sh->scene->media_count) && !sh->clear_shadows && i < left; i++)
+		through_air(sh, t, &s[live[i]], 0, s[live[i]].depth);
 	if (left && sh->clear_shadows)
 		filter_batch(sh, t, thread, s, live, left, counts);
 }

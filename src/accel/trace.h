@@ -5,7 +5,7 @@
  *
  * A geometry is a compiled scene with its accelerator, instances and unbounded list. Rays are in world
  * coordinates; t counts in units of dir's length. Ids below geometry's count are the accelerator's;
- * unbounded primitives (planes) come after them, so that the order (t, id) covers both.
+ * unbounded primitives (planes) have those behind them, but of equal t they come first.
  */
 #ifndef ALIDADE_ACCEL_TRACE_H
 #define ALIDADE_ACCEL_TRACE_H

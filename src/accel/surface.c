@@ -183,7 +183,7 @@ void surface_at(const struct geometry *g, const ald_ray *ray, const ald_hit *hit
 	struct place at;
 	ald_ray r;
 
-	s->planar = false;
+	s->planar = s->anew = false;
 	if (id >= l->count) {
 		leaf = g->set.unbounded[id - l->count].leaf;
 		level_ray(l, ray, &r);
@@ -207,6 +207,7 @@ void surface_at(const struct geometry *g, const ald_ray *ray, const ald_hit *hit
 			level_ray(l, ray, &r);
 			body = &l->body[l->piece[id].body];
 			piece_surface(body, &r, hit, &at.p, &at.n, &at.error);
+			s->anew = body->inner;
 			break;
 		case PRIM_INSTANCE:
 			in = &l->instance[id];

@@ -52,6 +52,7 @@ struct surface {
 			    numbered from 0 in the order of the file */
 	unsigned flags; /* enum object_flag */
 	bool planar; /* next rays may skip this primitive by id */
+	bool anew; /* what lies behind depends on a ray starting here: those that go through start anew */
 	double error; /* what surface_error() returns */
 };
 

@@ -284,15 +284,15 @@ static bool first_root(const double c[5], double f0, double f1, double from, dou
 	return false;
 }
 
-static bool blob_next(const struct prim *p, uint32_t piece, vec o, vec d, double from,
+static bool blob_next(const struct prim *p, uint32_t piece, const struct prim_line *line, double from,
 		      struct body_root *out)
 {
 	const struct prim_blob *b = p->data;
-	double len = vec_length(d), s, end, f0, f1, c[5];
-	struct view v = { .b = b, .own = &b->part[piece], .o = o };
+	double len = vec_length(line->d), s, end, f0, f1, c[5];
+	struct view v = { .b = b, .own = &b->part[piece], .o = line->o };
 	struct seen own;
 
-	v.d = vec_scale(d, 1 / len);
+	v.d = vec_scale(line->d, 1 / len);
 	see(v.own, v.o, v.d, &own);
 	if (!(own.lo < own.hi) || own.hi / len < from)
 		return false;

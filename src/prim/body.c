@@ -74,7 +74,7 @@ int piece_intersect(const struct prim *p, const struct prim_piece *q, uint32_t i
 		return 0;
 	/* Far enough before tmin that rounding there loses nothing. */
 	root.t = r->tmin - l.slide - 64 * ALD_U * (fabs(r->tmin) + fabs(l.slide));
-	while (ops->next(p, q->part, l.o, l.d, root.t, &root)) {
+	while (ops->next(p, q->part, &l, root.t, &root)) {
 		double t = prim_clamp(r, &q->box, l.slide + root.t);
 
 		if (t > hit->t)

@@ -38,8 +38,9 @@ struct body_ops {
 	/* The greatest p.m of the piece's points p, in own coordinates. */
 	double (*reach)(const struct prim *, uint32_t piece, vec m);
 	/* The piece's first crossing behind t = from of the line o + t d, o being the line's point nearest
-	 * to the origin; the same numbers whatever from is. */
-	bool (*next)(const struct prim *, uint32_t piece, vec o, vec d, double from, struct body_root *);
+	 * to the origin; the same numbers whatever from is. The ray starts at t = -slide. */
+	bool (*next)(const struct prim *, uint32_t piece, const struct prim_line *, double from,
+		     struct body_root *);
 	void (*surface)(const struct prim *, vec p, uint32_t piece, double u, struct prim_point *);
 	bool (*inside)(const struct prim *, vec p);
 };

@@ -217,14 +217,14 @@ static void search_all(const struct curve *c, vec o, vec d, struct found *f)
 		search(&s, begin, 1, sorted, extremes, f);
 }
 
-static bool lathe_next(const struct prim *p, uint32_t piece, vec o, vec d, double from,
+static bool lathe_next(const struct prim *p, uint32_t piece, const struct prim_line *line, double from,
 		       struct body_root *out)
 {
 	const struct prim_lathe *l = p->data;
-	double len = vec_length(d), best = ALD_INF;
+	double len = vec_length(line->d), best = ALD_INF;
 	struct found f = { .n = 0 };
 
-	search_all(&l->curve[piece], o, vec_scale(d, 1 / len), &f);
+	search_all(&l->curve[piece], line->o, vec_scale(line->d, 1 / len), &f);
 	for (unsigned i = 0; i < f.n; i++) {
 		double t = f.root[i].t / len;
 

@@ -282,6 +282,13 @@ static unsigned solid_mask(const struct prim_set *s, const struct prim_leaf *f)
 	       (prim_leaf_mask(s->scene, f) | ~(unsigned)(PRIM_SHADOW_OPAQUE | PRIM_SHADOW_CLEAR));
 }
 
+/* See prim/sweep_inner.c. */
+static bool shows_inner(const struct scene *s, const struct prim_leaf *f)
+{
+	return f->kind == SHAPE_SWEEP && s->sweep[s->object[f->object].shape.sweep].kind != SWEEP_LINEAR &&
+	       f->node == SCENE_NONE && prim_leaf_mask(s, f) == PRIM_SHADOW_CLEAR;
+}
+
 /* All pieces or none. */
 static enum status add_body(struct prim_set *s, struct prim_level *l, uint32_t leaf, struct diag *diag)
 {
@@ -300,6 +307,7 @@ static enum status add_body(struct prim_set *s, struct prim_level *l, uint32_t l
 		return STATUS_OK;
 	}
 	p->node = f->node;
+	p->inner = shows_inner(s->scene, f);
 	for (uint32_t i = 0; i < pieces; i++) {
 		struct prim_piece *q = &l->piece[l->piece_count + i];
 

@@ -15,6 +15,7 @@ src_libalidade_la_SOURCES += \
 	src/prim/shape.c \
 	src/prim/sphere.c \
 	src/prim/superellipsoid.c \
-	src/prim/sweep.c \
+	src/prim/sweep.c src/prim/sweep.h \
+	src/prim/sweep_inner.c \
 	src/prim/torus.c \
 	src/prim/uv.c

@@ -20,6 +20,7 @@
 struct prim {
 	enum shape_kind kind;
 	bool open; /* cone without caps */
+	bool inner; /* a clear curve, whose inner surfaces show by where the ray starts */
 	vec centre; /* in level coordinates */
 	struct mat to; /* level to own; linear part only */
 	struct mat from; /* own to level; linear part only */

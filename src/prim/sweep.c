@@ -17,36 +17,9 @@
  * a span counts only if no other piece's span holds it; of equal ends the first piece's counts. Pieces
  * share the balls between them to the bit, so that their spans overlap or neither is there.
  */
-#include "prim/body.h"
+#include "prim/sweep.h"
+
 #include "prim/poly.h"
-
-struct ball {
-	vec c;
-	double r;
-};
-
-struct curve { /* from one knot to the next; [i] is of u^i */
-	double x[4], y[4], z[4], r[4];
-	struct ball around;
-};
-
-struct prim_sweep {
-	struct body_data head;
-	struct ball *knot; /* [pieces + 1] */
-	struct curve *curve; /* [pieces], or NULL: straight */
-};
-
-struct span {
-	double lo, hi; /* of the line */
-	double u_lo, u_hi; /* of the curve */
-};
-#define SPANS 4 /* degree 6 is positive on 4 intervals at most */
-
-/* A piece as a line sees it: along it, across it and its radius, by powers of u. */
-struct seen {
-	unsigned n; /* degree */
-	double a[4], x[4], y[4], z[4], r[4];
-};
 
 static double square_gap(double r, double x, double y, double z)
 {
@@ -55,7 +28,7 @@ static double square_gap(double r, double x, double y, double z)
 	return (r - l) * (r + l);
 }
 
-static double seen_h(const void *arg, double u)
+double sweep_seen_h(const void *arg, double u)
 {
 	const struct seen *s = arg;
 
@@ -92,8 +65,7 @@ static void see(const struct prim_sweep *w, uint32_t i, vec o, vec d, struct see
 	}
 }
 
-/* h at a knot, and the span of its ball: the same numbers for both pieces that share it. */
-static double knot_h(const struct ball *k, vec o, vec d, double *a)
+double sweep_knot_h(const struct ball *k, vec o, vec d, double *a)
 {
 	struct seen s;
 
@@ -166,83 +138,87 @@ static void stretch(struct span *out, double a, double h, double u)
 	}
 }
 
-/* The stationary points strictly between u0 and u1. */
-static void stretch_between(const struct seen *whole, double u0, double u1, struct span *out)
+unsigned sweep_touches(struct seen *s, double u0, double u1, double u[SWEEP_TOUCHES], unsigned *clean)
 {
-	double h[7], dh[6], da[3], aa[5], p[11], q[11], root[2 * POLY_DEGREE];
-	struct seen s = *whole;
-	unsigned n = s.n, roots;
+	double h[7], dh[6], da[3], aa[5], p[11], q[11];
+	unsigned n = s->n;
 
-	poly_shift(s.a, n, u0, u1 - u0);
-	poly_shift(s.x, n, u0, u1 - u0);
-	poly_shift(s.y, n, u0, u1 - u0);
-	poly_shift(s.z, n, u0, u1 - u0);
-	poly_shift(s.r, n, u0, u1 - u0);
-	expand(&s, h);
+	poly_shift(s->a, n, u0, u1 - u0);
+	poly_shift(s->x, n, u0, u1 - u0);
+	poly_shift(s->y, n, u0, u1 - u0);
+	poly_shift(s->z, n, u0, u1 - u0);
+	poly_shift(s->r, n, u0, u1 - u0);
+	expand(s, h);
 	poly_slope(h, 2 * n, dh);
-	poly_slope(s.a, n, da);
+	poly_slope(s->a, n, da);
 	poly_mul(da, n - 1, da, n - 1, aa);
 	poly_mul(h, 2 * n, aa, 2 * n - 2, p);
 	poly_mul(dh, 2 * n - 1, dh, 2 * n - 1, q);
 	for (unsigned i = 0; i <= 4 * n - 2; i++)
 		p[i] = 4 * p[i] - q[i];
-	roots = poly_roots(p, 4 * n - 2, 0, 1, root);
+	*clean = poly_roots(p, 4 * n - 2, 0, 1, u);
 	/* Where the curve runs across the line, a' is 0 and the two roots are one without a change of sign,
 	 * at h' = 0. Where a' is nearly 0 that is as good a place as the true ones. */
-	roots += poly_roots(dh, 2 * n - 1, 0, 1, root + roots);
+	return *clean + poly_roots(dh, 2 * n - 1, 0, 1, u + *clean);
+}
+
+static void stretch_between(const struct seen *whole, double u0, double u1, struct span *out)
+{
+	double root[SWEEP_TOUCHES];
+	struct seen s = *whole;
+	unsigned clean, roots = sweep_touches(&s, u0, u1, root, &clean);
+
 	for (unsigned i = 0; i < roots; i++)
-		stretch(out, poly_value(s.a, n, root[i]), seen_h(&s, root[i]), u0 + root[i] * (u1 - u0));
+		stretch(out, poly_value(s.a, s.n, root[i]), sweep_seen_h(&s, root[i]), u0 + root[i] * (u1 - u0));
 }
 
 /* One interval of u where h >= 0. An end that is a knot has its exact ball. */
 static void add_span(const struct seen *s, double u0, double u1, const double a[2], const double h[2],
 		     struct span *out)
 {
-	*out = (struct span){ ALD_INF, -ALD_INF, u0, u0 };
+	*out = (struct span){ ALD_INF, -ALD_INF, u0, u0, u0, u1 };
 	if (u0 == 0)
 		stretch(out, a[0], h[0], 0);
 	else
-		stretch(out, poly_value(s->a, s->n, u0), seen_h(s, u0), u0);
+		stretch(out, poly_value(s->a, s->n, u0), sweep_seen_h(s, u0), u0);
 	if (u1 == 1)
 		stretch(out, a[1], h[1], 1);
 	else
-		stretch(out, poly_value(s->a, s->n, u1), seen_h(s, u1), u1);
+		stretch(out, poly_value(s->a, s->n, u1), sweep_seen_h(s, u1), u1);
 	if (u1 > u0)
 		stretch_between(s, u0, u1, out);
 }
 
-/* The parts of the line within piece i; d is unit. */
-static unsigned spans(const struct prim_sweep *w, uint32_t i, vec o, vec d, struct span out[SPANS])
+unsigned sweep_spans(const struct prim_sweep *w, uint32_t i, vec o, vec d, struct seen *s, struct span out[SPANS])
 {
 	double h[7], slope[6], cut[7], a[2], end[2], x = 0, fx, begin = 0;
 	unsigned cuts, count = 0;
-	struct seen s;
 
-	see(w, i, o, d, &s);
-	if (passes_by(&s))
+	see(w, i, o, d, s);
+	if (passes_by(s))
 		return 0;
-	end[0] = knot_h(&w->knot[i], o, d, &a[0]);
-	end[1] = knot_h(&w->knot[i + 1], o, d, &a[1]);
-	expand(&s, h);
-	poly_slope(h, 2 * s.n, slope);
-	cuts = poly_roots(slope, 2 * s.n - 1, 0, 1, cut);
+	end[0] = sweep_knot_h(&w->knot[i], o, d, &a[0]);
+	end[1] = sweep_knot_h(&w->knot[i + 1], o, d, &a[1]);
+	expand(s, h);
+	poly_slope(h, 2 * s->n, slope);
+	cuts = poly_roots(slope, 2 * s->n - 1, 0, 1, cut);
 	cut[cuts++] = 1;
 	fx = end[0];
 	for (unsigned k = 0; k < cuts; k++) {
-		double y = cut[k], fy = y == 1 ? end[1] : seen_h(&s, y), root;
+		double y = cut[k], fy = y == 1 ? end[1] : sweep_seen_h(s, y), root;
 
 		if ((fx < 0) != (fy < 0)) {
-			root = poly_refine(seen_h, &s, x, fx, y, fy);
+			root = poly_refine(sweep_seen_h, s, x, fx, y, fy);
 			if (fx < 0)
 				begin = root;
 			else if (count < SPANS)
-				add_span(&s, begin, root, a, end, &out[count++]);
+				add_span(s, begin, root, a, end, &out[count++]);
 		}
 		x = y;
 		fx = fy;
 	}
 	if (fx >= 0 && count < SPANS)
-		add_span(&s, begin, 1, a, end, &out[count++]);
+		add_span(s, begin, 1, a, end, &out[count++]);
 	if (!w->curve && count == 2) { /* a straight piece is convex */
 		stretch(&out[0], out[1].lo, 0, out[1].u_lo);
 		stretch(&out[0], out[1].hi, 0, out[1].u_hi);
@@ -275,6 +251,7 @@ static bool hidden(const struct prim_sweep *w, uint32_t i, vec o, vec d, double 
 {
 	vec q = vec_mad(o, d, s);
 	struct span other[SPANS];
+	struct seen seen;
 
 	for (uint32_t k = 0; k < w->head.pieces; k++) {
 		struct ball b;
@@ -288,7 +265,7 @@ static bool hidden(const struct prim_sweep *w, uint32_t i, vec o, vec d, double 
 		b.r = b.r * (1 + 64 * ALD_U) + 64 * ALD_U;
 		if (vec_dot(off, off) > b.r * b.r)
 			continue;
-		n = spans(w, k, o, d, other);
+		n = sweep_spans(w, k, o, d, &seen, other);
 		for (unsigned j = 0; j < n; j++) {
 			if (hidden_by(&other[j], s, lower, k < i))
 				return true;
@@ -297,16 +274,19 @@ static bool hidden(const struct prim_sweep *w, uint32_t i, vec o, vec d, double 
 	return false;
 }
 
-static bool sweep_next(const struct prim *p, uint32_t piece, vec o, vec d, double from,
+static bool sweep_next(const struct prim *p, uint32_t piece, const struct prim_line *line, double from,
 		       struct body_root *out)
 {
 	const struct prim_sweep *w = p->data;
-	double len = vec_length(d);
+	double len = vec_length(line->d);
+	vec o = line->o, d = vec_scale(line->d, 1 / len);
 	struct span own[SPANS];
+	struct seen seen;
 	unsigned n;
 
-	d = vec_scale(d, 1 / len);
-	n = spans(w, piece, o, d, own);
+	if (p->inner)
+		return sweep_inner_next(p, piece, line, from, out);
+	n = sweep_spans(w, piece, o, d, &seen, own);
 	while (n) {
 		double best = ALD_INF, u = 0;
 		bool lower = false;
@@ -352,9 +332,15 @@ static struct ball ball_at(const struct prim_sweep *w, uint32_t i, double u)
 
 static void sweep_surface(const struct prim *p, vec at, uint32_t piece, double u, struct prim_point *s)
 {
-	struct ball b = ball_at(p->data, piece, u);
-	vec n = vec_sub(at, b.c);
+	struct ball b;
+	vec n;
 
+	if (u >= SWEEP_DISC) {
+		sweep_inner_surface(p->data, at, piece, u > SWEEP_DISC, s);
+		return;
+	}
+	b = ball_at(p->data, piece, u);
+	n = vec_sub(at, b.c);
 	s->n = vec_unit(n);
 	if (!(vec_dot(s->n, s->n) > 0.5)) /* the tip of a radius of 0 */
 		s->n = vec_make(0, 0, 1);
@@ -366,6 +352,7 @@ static bool sweep_inside(const struct prim *p, vec at)
 {
 	const struct prim_sweep *w = p->data;
 	struct span own[SPANS];
+	struct seen seen;
 
 	for (uint32_t i = 0; i < w->head.pieces; i++) {
 		struct ball b = around(w, i);
@@ -374,7 +361,7 @@ static bool sweep_inside(const struct prim *p, vec at)
 
 		if (vec_dot(off, off) > b.r * b.r * (1 + 64 * ALD_U))
 			continue;
-		n = spans(w, i, at, vec_make(0, 0, 1), own);
+		n = sweep_spans(w, i, at, vec_make(0, 0, 1), &seen, own);
 		for (unsigned k = 0; k < n; k++) {
 			if (own[k].lo <= 0 && own[k].hi >= 0)
 				return true;

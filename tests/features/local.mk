@@ -98,6 +98,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/solids.pov \
 	tests/features/spot.pov \
 	tests/features/superellipsoids.pov \
+	tests/features/sweeps-clear.pov \
 	tests/features/sweeps.pov \
 	tests/features/terminator.pov \
 	tests/features/texture-maps.pov \
@@ -203,6 +204,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/solids.exr \
 	tests/features/spot.exr \
 	tests/features/superellipsoids.exr \
+	tests/features/sweeps-clear.exr \
 	tests/features/sweeps.exr \
 	tests/features/terminator.exr \
 	tests/features/texture-maps.exr \

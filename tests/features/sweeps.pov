@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Alidade authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// sphere_sweep: linear_spline, b_spline and cubic_spline, stretched too; of a clear one the surface is that
-// of the whole, without what lies inside (shown for a linear one: POV-Ray leaves pieces of inner surfaces
-// in clear curved ones).
+// sphere_sweep: linear_spline, b_spline and cubic_spline, stretched too; of a clear linear one the surface is
+// that of the whole, without what lies inside (of curved ones it is not: sweeps-clear.pov).
 #include "stage.inc"
 sphere_sweep { linear_spline 4, <-2.5,.3,0>,.3, <-2,1.8,0>,.15 <-1.2,1,.6>,.4 <-1.3,.4,-1>,.05 pigment{rgb <.9,.3,.2>} finish{phong .5}}
 sphere_sweep { b_spline, 6, <-1.5,.3,0>,.3, <-.5,2.8,0>,.15 <-.2,.1,.6>,.6 <.5,2.5,-.6>,.05 <1,.3,0>,.3 <1.5,.2,0>,.3 pigment{rgb <.3,.9,.2>} finish{phong .5} scale <1,.8,1>}

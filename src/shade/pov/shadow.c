@@ -107,8 +107,8 @@ static void through_air(const struct shader *sh, struct tree *t, struct shadow *
 								 rng_child(1, s->skip)));
 }
 
-static void cross(const struct shader *sh, struct tree *t, struct shadow *s, const ald_ray *r,
-		  const ald_hit *h)
+/* The ray goes on behind what it crossed. */
+static void cross(const struct shader *sh, struct tree *t, struct shadow *s, ald_ray *r, const ald_hit *h)
 {
 	struct surface at;
 
@@ -128,6 +128,13 @@ static void cross(const struct shader *sh, struct tree *t, struct shadow *s, con
 		s->inside = inside_leave(t, s->inside, at.object);
 	} else {
 		s->inside = inside_enter(t, s->inside, at.object, at.interior, at.flags & OBJECT_HOLLOW);
+	}
+	if (at.anew) {
+		s->org = vec_mad(s->org, s->dir, h->t);
+		s->depth -= h->t;
+		make_ray(r, s, TRACE_SHADOW_CLEAR);
+	} else {
+		trace_after(r, h);
 	}
 }
 
@@ -158,7 +165,6 @@ static void filter_batch(const struct shader *sh, struct tree *t, uint32_t threa
 				continue;
 			}
 			ray[left] = ray[i];
-			trace_after(&ray[left], &hit[i]);
 			live[left++] = live[i];
 		}
 		n = left;

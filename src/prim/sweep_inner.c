@@ -171,8 +171,9 @@ bool sweep_inner_next(const struct prim *p, uint32_t piece, const struct prim_li
 
 		for (unsigned k = 0; k < own.count; k++) {
 			const struct mark *m = &own.mark[k];
+			bool next = m->t > begin + AGAIN && m->t / len > from && (!done || before(done, m));
 
-			if (m->t > begin + AGAIN && m->t / len > from && (!done || before(done, m)) && (!best || before(m, best)))
+			if (next && (!best || before(m, best)))
 				best = m;
 		}
 		if (!best)
@@ -185,7 +186,8 @@ bool sweep_inner_next(const struct prim *p, uint32_t piece, const struct prim_li
 	}
 }
 
-void sweep_inner_surface(const struct prim_sweep *w, vec at, uint32_t piece, unsigned end, struct prim_point *s)
+void sweep_inner_surface(const struct prim_sweep *w, vec at, uint32_t piece, unsigned end,
+			 struct prim_point *s)
 {
 	const struct ball *k = &w->knot[piece + end];
 	struct ball slope = disc_slope(w, piece, end);

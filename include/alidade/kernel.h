@@ -8,7 +8,8 @@
  * every compiler. A NaN or an infinity among the inputs is a miss of a primitive, but never makes a
  * volume test reject (R4b).
  *
- * Triangle: Woop, Benthin, Wald: Watertight Ray/Triangle Intersection, JCGT 2(1), 2013, in double.
+ * Triangle: Woop, Benthin, Wald: Watertight Ray/Triangle Intersection, JCGT 2(1), 2013, in double, and where
+ * that is in doubt Shewchuk: Adaptive Precision Floating-Point Arithmetic, Discrete Comput. Geom. 18, 1997.
  * Slabs: Ize: Robust BVH Ray Traversal, JCGT 2(2), 2013. Sphere: Haines, Guenther, Akenine-Moeller:
  * Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019. Overlap: Akenine-Moeller:
  * Fast 3D Triangle-Box Overlap Testing, 2001.
@@ -293,8 +294,107 @@ ALD_INLINE double ald_triangle_t(const ald_prep *p, const ald_vec *a, const ald_
 	return t > t0 ? t : t0;
 }
 
-/* R1: does the line of the ray meet the closed triangle? *t, *u, *v (weights of b and c) if so. Two
- * triangles that share an edge can't both be missed by a line that crosses it. */
+/* ---- signs without rounding, for the few rays that pass an edge closer than rounding can tell ---- */
+
+enum { ALD_TERMS = 104 }; /* of an expansion: components that don't overlap, the largest last */
+
+/* e += x, exactly (Shewchuk's GROW-EXPANSION, zeros left out). */
+ALD_INLINE void ald_expansion_add(double *e, uint32_t *n, double x)
+{
+	uint32_t kept = 0;
+
+	for (uint32_t i = 0; i < *n; i++) {
+		double s = x + e[i], v = s - x, tail = (x - (s - v)) + (e[i] - v);
+
+		x = s;
+		if (tail != 0)
+			e[kept++] = tail;
+	}
+	if (x != 0)
+		e[kept++] = x;
+	*n = kept;
+}
+
+/* a * b as high + *low, exactly (Dekker, Veltkamp): no fma, for it is not everywhere. */
+ALD_INLINE double ald_product(double a, double b, double *low)
+{
+	double p = a * b, ca = 0x1.0000002p27 * a, cb = 0x1.0000002p27 * b;
+	double ah = ca - (ca - a), bh = cb - (cb - b), al = a - ah, bl = b - bh;
+
+	*low = al * bl - (((p - ah * bh) - al * bh) - ah * bl);
+	return p;
+}
+
+/* e += a * b * c, exactly. */
+ALD_INLINE void ald_expansion_product(double *e, uint32_t *n, double a, double b, double c)
+{
+	double low, high, tail;
+
+	if (a == 0 || b == 0 || c == 0)
+		return;
+	high = ald_product(a, b, &low);
+	high = ald_product(high, c, &tail);
+	ald_expansion_add(e, n, tail);
+	ald_expansion_add(e, n, high);
+	if (low != 0) {
+		high = ald_product(low, c, &tail);
+		ald_expansion_add(e, n, tail);
+		ald_expansion_add(e, n, high);
+	}
+}
+
+/* d . ((b - o) x (c - o)), of the exact sign and rounded but for the last bits. d is scaled to 1 first. */
+#ifdef __GNUC__
+__attribute__((noinline, cold, unused))
+#endif
+static double ald_exact_volume(const ald_prep *p, const ald_vec *b, const ald_vec *c)
+{
+	double e[ALD_TERMS], d[3], q[2][3][2], sum = 0;
+	uint32_t n = 0;
+	int power;
+
+	frexp(p->d[p->kz], &power);
+	for (unsigned k = 0; k < 3; k++) {
+		d[k] = ldexp(p->d[k], -power);
+		for (unsigned j = 0; j < 2; j++) {
+			double x = ald_get(j ? c : b, k), y = p->o[k], s = x - y, v = x - s;
+
+			q[j][k][0] = s;
+			q[j][k][1] = (x - (s + v)) + (v - y);
+		}
+	}
+	for (unsigned k = 0; k < 3; k++) {
+		unsigned i = (k + 1) % 3, j = (k + 2) % 3;
+
+		for (unsigned m = 0; m < 4; m++) {
+			ald_expansion_product(e, &n, q[0][i][m & 1], q[1][j][m >> 1], d[k]);
+			ald_expansion_product(e, &n, -q[0][j][m & 1], q[1][i][m >> 1], d[k]);
+		}
+	}
+	for (uint32_t i = 0; i < n; i++)
+		sum += e[i];
+	return sum;
+}
+
+/* The weights of a, b and c by their exact signs; 0: the line misses. */
+ALD_INLINE int ald_exact_weights(const ald_prep *p, const ald_vec *a, const ald_vec *b, const ald_vec *c,
+				 double w[3])
+{
+	w[0] = ald_exact_volume(p, b, c);
+	w[1] = ald_exact_volume(p, c, a);
+	w[2] = ald_exact_volume(p, a, b);
+	if (!(w[0] >= 0 && w[1] >= 0 && w[2] >= 0) && !(w[0] <= 0 && w[1] <= 0 && w[2] <= 0))
+		return 0;
+	return w[0] != 0 || w[1] != 0 || w[2] != 0;
+}
+
+/* R1: does the line of the ray meet the closed triangle? *t, *u, *v (weights of b and c) if so. Exact: what
+ * rounding leaves open is decided without it, so that lines through edges and corners meet all triangles
+ * there, and a line in the plane of a triangle misses it.
+ *
+ * The bound: with u the roundoff and M = p->pad / 16 u, which is more than any coordinate relative to the
+ * origin, the sheared ones (of slopes up to 1) are off by at most 6 u M, and so a weight, a sum of two
+ * products of two of them, by less than 16 u M times the sum of the six. */
 ALD_INLINE int ald_triangle_line(const ald_prep *p, const ald_vec *a, const ald_vec *b,
 				 const ald_vec *c, double *t, double *u, double *v)
 {
@@ -307,16 +407,21 @@ ALD_INLINE int ald_triangle_line(const ald_prep *p, const ald_vec *a, const ald_
 	double by = (ald_get(b, p->ky) - p->o[p->ky]) - p->shear[1] * bz;
 	double cx = (ald_get(c, p->kx) - p->o[p->kx]) - p->shear[0] * cz;
 	double cy = (ald_get(c, p->ky) - p->o[p->ky]) - p->shear[1] * cz;
-	double wa = cx * by - cy * bx, wb = ax * cy - ay * cx, wc = bx * ay - by * ax;
-	double det = wa + wb + wc;
+	double w[3] = { cx * by - cy * bx, ax * cy - ay * cx, bx * ay - by * ax };
+	double e = p->pad * (((fabs(ax) + fabs(ay)) + (fabs(bx) + fabs(by))) + (fabs(cx) + fabs(cy)));
+	double det;
 
-	if (!(wa >= 0 && wb >= 0 && wc >= 0) && !(wa <= 0 && wb <= 0 && wc <= 0))
+	if (!(w[0] >= -e && w[1] >= -e && w[2] >= -e) && !(w[0] <= e && w[1] <= e && w[2] <= e))
 		return 0;
+	if (!(w[0] > e && w[1] > e && w[2] > e) && !(w[0] < -e && w[1] < -e && w[2] < -e) &&
+	    !(e <= DBL_MAX && ald_exact_weights(p, a, b, c, w)))
+		return 0;
+	det = w[0] + w[1] + w[2];
 	if (!(det != 0 && fabs(det) <= DBL_MAX))
 		return 0;
 	*t = ald_triangle_t(p, a, b, c);
-	*u = wb / det;
-	*v = wc / det;
+	*u = w[1] / det;
+	*v = w[2] / det;
 	return 1;
 }
 
@@ -360,16 +465,22 @@ ALD_INLINE void ald_triangles_set(ald_triangles *s, unsigned lane, const ald_vec
 	}
 }
 
-/* One bit a lane: the lanes that ald_triangle_line() would not reject for its edges (bit-exactly the
- * same test). Give what is left to ald_triangle(). Plain loops over lanes: compile the caller with -O3
- * and, by target_clones, for wider instruction sets, and they become that wide. */
+/* The bound of ald_triangle_line() for any triangle: none of the six is more than 2 M. */
+ALD_INLINE double ald_slack(const ald_prep *p)
+{
+	return p->pad * p->pad * (0.75 / ALD_U);
+}
+
+/* One bit a lane: the lanes that ald_triangle_line() would not reject, and a few more. Give them to
+ * ald_triangle(). Plain loops over lanes: compile the caller with -O3 and, by target_clones, for wider
+ * instruction sets, and they become that wide. */
 ALD_INLINE uint32_t ald_triangle_n(const ald_prep *p, const ald_triangles *s)
 {
 	const double *a[3] = { s->v[0][p->kx], s->v[0][p->ky], s->v[0][p->kz] };
 	const double *b[3] = { s->v[1][p->kx], s->v[1][p->ky], s->v[1][p->kz] };
 	const double *c[3] = { s->v[2][p->kx], s->v[2][p->ky], s->v[2][p->kz] };
 	double ox = p->o[p->kx], oy = p->o[p->ky], oz = p->o[p->kz];
-	double sx = p->shear[0], sy = p->shear[1];
+	double sx = p->shear[0], sy = p->shear[1], e = ald_slack(p);
 	int64_t in[ALD_LANES];
 	uint32_t bits = 0;
 
@@ -379,8 +490,8 @@ ALD_INLINE uint32_t ald_triangle_n(const ald_prep *p, const ald_triangles *s)
 		double bx = (b[0][i] - ox) - sx * bz, by = (b[1][i] - oy) - sy * bz;
 		double cx = (c[0][i] - ox) - sx * cz, cy = (c[1][i] - oy) - sy * cz;
 		double wa = cx * by - cy * bx, wb = ax * cy - ay * cx, wc = bx * ay - by * ax;
-		int64_t front = (wa >= 0) & (wb >= 0) & (wc >= 0);
-		int64_t back = (wa <= 0) & (wb <= 0) & (wc <= 0);
+		int64_t front = (wa >= -e) & (wb >= -e) & (wc >= -e);
+		int64_t back = (wa <= e) & (wb <= e) & (wc <= e);
 
 		in[i] = front | back;
 	}
@@ -393,6 +504,7 @@ ALD_INLINE uint32_t ald_triangle_n(const ald_prep *p, const ald_triangles *s)
 typedef struct {
 	double o[3][ALD_LANES]; /* along kx, ky, kz */
 	double shear[2][ALD_LANES];
+	double slack[ALD_LANES];
 	uint32_t kx, ky, kz;
 } ald_rays;
 
@@ -404,6 +516,7 @@ ALD_INLINE void ald_rays_clear(ald_rays *s, uint32_t kz)
 	for (unsigned i = 0; i < ALD_LANES; i++) {
 		s->o[0][i] = s->o[1][i] = s->o[2][i] = 0;
 		s->shear[0][i] = s->shear[1][i] = ALD_NAN;
+		s->slack[i] = 0;
 	}
 }
 
@@ -415,6 +528,7 @@ ALD_INLINE void ald_rays_set(ald_rays *s, unsigned lane, const ald_prep *p)
 	s->o[2][lane] = p->o[p->kz];
 	s->shear[0][lane] = p->shear[0];
 	s->shear[1][lane] = p->shear[1];
+	s->slack[lane] = ald_slack(p);
 }
 
 /* The mirror image of ald_triangle_n(): many rays, one triangle. */
@@ -434,8 +548,9 @@ ALD_INLINE uint32_t ald_rays_triangle(const ald_rays *s, const ald_vec v[3])
 		double bx = (b0 - ox) - sx * bz, by = (b1 - oy) - sy * bz;
 		double cx = (c0 - ox) - sx * cz, cy = (c1 - oy) - sy * cz;
 		double wa = cx * by - cy * bx, wb = ax * cy - ay * cx, wc = bx * ay - by * ax;
-		int64_t front = (wa >= 0) & (wb >= 0) & (wc >= 0);
-		int64_t back = (wa <= 0) & (wb <= 0) & (wc <= 0);
+		double e = s->slack[i];
+		int64_t front = (wa >= -e) & (wb >= -e) & (wc >= -e);
+		int64_t back = (wa <= e) & (wb <= e) & (wc <= e);
 
 		in[i] = front | back;
 	}

@@ -1,3 +1,10 @@
-NUMERICS_TESTS = tests/numerics/kernel-bits.sh
+NUMERICS_TESTS = tests/numerics/kernel-bits.sh tests/numerics/judge.sh
 TESTS += $(NUMERICS_TESTS)
 EXTRA_DIST += $(NUMERICS_TESTS) tests/numerics/kernel_bits.c
+if HAVE_GMP
+check_PROGRAMS += tests/numerics/judge
+tests_numerics_judge_SOURCES = tests/numerics/judge.c tests/numerics/oracle.c tests/numerics/oracle.h \
+	tests/numerics/soups.c tests/numerics/soups.h tests/numerics/trial.c tests/numerics/trial.h
+tests_numerics_judge_CPPFLAGS = $(AM_CPPFLAGS) -I$(top_srcdir)/src
+tests_numerics_judge_LDADD = src/libalidade.la -lgmp
+endif

@@ -215,8 +215,8 @@ static void harmless(void **state)
 		"declare A = 1; default { finish { ambient 0 } } version 3.7;",
 		"#version 3.7; ;;",
 		"\xef\xbb\xbf#declare A = 1;",
-		"#declare F = <0,1,2>; mesh2 { vertex_vectors { 4, 0, x, y, x+y } "
-		"face_indices { 2, F+0, F+1, } }",
+		("#declare F = <0,1,2>; mesh2 { vertex_vectors { 4, 0, x, y, x+y } "
+		 "face_indices { 2, F+0, F+1, } }"),
 		"sphere { <0,0,0>, 1 #declare A = 3; scale A #undef A }#",
 	};
 	static struct heard h;
@@ -234,8 +234,8 @@ static void endless_functions(void **state)
 	static const char *const text[] = {
 		"#declare F = function { sum(i, 1, 1e15, i) } #debug str(F(1, 2, 3), 0, 0)",
 		"#declare F = function { sum(i, 1e17, 2e17, i) } #debug str(F(1, 2, 3), 0, 0)",
-		"#declare F = function { x } #local I = 0; #while (I < 40) #declare F = function { F(y, x, z) + "
-		"F(x, y, z) } #local I = I + 1; #end #debug str(F(1, 2, 3), 0, 0)",
+		("#declare F = function { x } #local I = 0; #while (I < 40) #declare F = function { F(y, x, z) + "
+		 "F(x, y, z) } #local I = I + 1; #end #debug str(F(1, 2, 3), 0, 0)"),
 	};
 	static struct heard h;
 

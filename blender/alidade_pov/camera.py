@@ -46,6 +46,10 @@ def write(out, ob, scene, context):
     # Blender leaves a camera's scale out.
     turn = _upright(matrix[:3, :3])
     location = matrix[:3, 3]
+    if context.farthest > camera.clip_end:
+        context.losses.lost(ob.name_full, 'Clip End', '-', 'what lies farther is drawn')
+    if context.nearest < camera.clip_start:
+        context.losses.lost(ob.name_full, 'Clip Start', '-', 'what lies nearer is drawn')
     if camera.type == 'PANO':
         return _panorama(out, camera, turn, location, context, ob.name_full)
     lower_left, lower_right, upper_left = _frame(camera, scene)

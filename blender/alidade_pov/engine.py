@@ -11,13 +11,14 @@ import tempfile
 import bpy
 import numpy as np
 
-from . import camera
+from . import camera, visible
+from .losses import Losses
 from .scene import Export, Lost, Options
 
 
 class Job:
     """What the engine does next; set for the length of one render."""
-    path = options = losses = error = draw_world = None
+    path = options = losses = error = draw_world = known = None
 
 
 class AlidadeExportEngine(bpy.types.RenderEngine):
@@ -33,7 +34,7 @@ class AlidadeExportEngine(bpy.types.RenderEngine):
         if Job.path is None or Job.losses is not None or Job.error is not None:
             return
         try:
-            Job.losses = Export(depsgraph, Job.path, Job.options, bpy.app.version, Job.draw_world).run()
+            Job.losses = Export(depsgraph, Job.path, Job.options, bpy.app.version, Job.draw_world, Job.known).run()
         except Exception as error:      # Blender would print it and go on
             Job.error = error
 
@@ -101,6 +102,8 @@ def export(scene, path, options=None):
               render.use_motion_blur, render.use_multiview)
     Job.path, Job.options, Job.losses, Job.error = os.path.abspath(path), options or Options(), None, None
     Job.draw_world = (lambda world: drawn) if drawn is not None else None
+    Job.known = Losses()
+    visible.afterwards(scene, Job.known)
     try:
         render.engine = 'ALIDADE_EXPORT'
         render.use_compositing = render.use_sequencer = render.use_multiview = False

@@ -11,6 +11,12 @@ import numpy as np
 from . import text, versions
 
 
+# Kinds of attributes: the field of their values, and how many numbers each has.
+FIELDS = {'FLOAT_COLOR': ('color', 4), 'BYTE_COLOR': ('color', 4), 'FLOAT_VECTOR': ('vector', 3), 'FLOAT2': ('vector', 2),
+          'FLOAT': ('value', 1), 'INT': ('value', 1), 'INT8': ('value', 1), 'BOOLEAN': ('value', 1)}
+TYPES = {'INT': np.int32, 'INT8': np.int32, 'BOOLEAN': bool}
+
+
 class Triangles:
     """The arrays of one evaluated mesh; uvs and colours are fetched when a material asks."""
 
@@ -62,19 +68,41 @@ class Triangles:
         return text.sane(buffer.reshape(-1, 2))[0]
 
     def colour(self, layer):
-        """Linear corner colours of a layer (the rendered one for None), or None."""
+        """Linear corner values of a layer (the rendered colours for None): rgba, n x 4; None where there is none.
+
+        A material's attribute node finds colours, UV maps and whatever else geometry nodes have stored under a name.
+        """
         layers, default = versions.color_attributes(self.mesh)
         found = layers.get(layer or default)
-        if found is None:
+        if found is None and layer:
+            uv = self.uv(layer) if layer in self.mesh.uv_layers else None
+            if uv is not None:
+                return np.column_stack([uv, np.zeros(len(uv), np.float32), np.ones(len(uv), np.float32)])
+            found = self.mesh.attributes.get(layer)
+        if found is None or found.data_type not in FIELDS:
             return None
-        buffer = np.empty(len(found.data) * 4, np.float32)
-        found.data.foreach_get('color', buffer)
-        values = buffer.reshape(-1, 4)
-        if found.domain == 'POINT':
-            index = np.empty(len(self.mesh.loops), np.int32)
+        field, width = FIELDS[found.data_type]
+        buffer = np.empty(len(found.data) * width, TYPES.get(found.data_type, np.float32))
+        found.data.foreach_get(field, buffer)
+        rows = text.sane(buffer.reshape(-1, width))[0]
+        values = np.zeros((len(rows), 4), np.float32)
+        values[:, 3] = 1
+        values[:, :width] = rows
+        if width == 1:
+            values[:, 1:3] = rows
+        return self._at_corners(values, found.domain)
+
+    def _at_corners(self, values, domain):
+        count = len(self.mesh.loops)
+        if domain == 'POINT':
+            index = np.empty(count, np.int32)
             self.mesh.loops.foreach_get('vertex_index', index)
-            values = values[index]
-        return values
+            return values[index]
+        if domain == 'FACE':
+            totals = np.empty(len(self.mesh.polygons), np.int32)
+            self.mesh.polygons.foreach_get('loop_total', totals)
+            return np.repeat(values, totals, axis=0)
+        return values if domain == 'CORNER' and len(values) == count else None
 
     def bounds(self):
         if not len(self.points):

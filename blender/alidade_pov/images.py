@@ -39,32 +39,50 @@ class Store:
         self._files[digest] = relative
         return relative
 
-    def pixels(self, image):
-        """height x width x 4, bottom row first, as stored: bytes are still coded, floats are linear. None: no data."""
-        key = image.name_full
+    def pixels(self, image, path=None):
+        """height x width x 4, bottom row first, as stored: bytes are still coded, floats are linear. None: no data.
+
+        path: of an image that is a sequence, the file to take.
+        """
+        key = image.name_full, path
         if key not in self._pixels:
-            width, height = image.size
-            if not width or not height or not image.has_data and not len(image.pixels):
-                self._pixels[key] = None
-            else:
-                buffer = np.empty(width * height * image.channels, np.float32)
-                image.pixels.foreach_get(buffer)
-                buffer = buffer.reshape(height, width, image.channels)
-                full = np.ones((height, width, 4), np.float32)
-                if image.channels >= 3:
-                    full[..., :image.channels] = buffer
-                else:
-                    full[..., :3] = buffer[..., :1]
-                self._pixels[key] = full
+            self._pixels[key] = self._of_file(image, path) if path else self._of_image(image)
         return self._pixels[key]
+
+    @staticmethod
+    def _of_image(image):
+        width, height = image.size
+        if not width or not height or not image.has_data and not len(image.pixels):
+            return None
+        buffer = np.empty(width * height * image.channels, np.float32)
+        image.pixels.foreach_get(buffer)
+        buffer = buffer.reshape(height, width, image.channels)
+        full = np.ones((height, width, 4), np.float32)
+        if image.channels >= 3:
+            full[..., :image.channels] = buffer
+        else:
+            full[..., :3] = buffer[..., :1]
+        return full
+
+    def _of_file(self, image, path):
+        import bpy
+        try:
+            frame = bpy.data.images.load(bpy.path.abspath(path, library=image.library))
+        except RuntimeError:
+            return None
+        try:
+            frame.colorspace_settings.name = image.colorspace_settings.name
+            return self._of_image(frame)
+        finally:
+            bpy.data.images.remove(frame)
 
     @staticmethod
     def is_data(image):
         return image.colorspace_settings.name in ('Non-Color', 'Raw', 'Linear', 'Linear Rec.709', 'Generic Data')
 
-    def linear(self, image):
+    def linear(self, image, path=None):
         """The same in linear light, as a shader sees it."""
-        pixels = self.pixels(image)
+        pixels = self.pixels(image, path)
         if pixels is None:
             return None
         if not image.is_float and not self.is_data(image):
@@ -72,35 +90,35 @@ class Store:
             pixels[..., :3] = pictures.to_linear(pixels[..., :3])
         return pixels
 
-    def _source(self, image):
+    def _source(self, image, path=None):
         """The bytes of the image's file, from the file or packed, unless it was painted on since."""
-        if image.is_dirty or image.source != 'FILE':
+        if image.is_dirty or image.source != 'FILE' and not path:
             return None
-        if image.packed_file:
+        if image.packed_file and not path:
             return bytes(image.packed_file.data)
         import bpy
-        path = bpy.path.abspath(image.filepath_raw, library=image.library)
+        path = bpy.path.abspath(path or image.filepath_raw, library=image.library)
         try:
             with open(path, 'rb') as file:
                 return file.read()
         except OSError:
             return None
 
-    def file(self, image):
+    def file(self, image, path=None):
         """A file of the image's colours without alpha: its name, or None where there are no pixels."""
-        key = ('file', image.name_full)
+        key = ('file', image.name_full, path)
         if key not in self._files:
-            self._files[key] = self._write(image)
+            self._files[key] = self._write(image, path)
         return self._files[key]
 
-    def _write(self, image):
-        data = self._source(image)
+    def _write(self, image, path):
+        data = self._source(image, path)
         stem = os.path.splitext(image.name)[0]
         if data and data[:3] == b'\xff\xd8\xff' and jpeg_components(data) in (1, 3):
             return self.put(data, stem, '.jpg')
         if data and plain_png(data):
             return self.put(data, stem, '.png')
-        pixels = self.pixels(image)
+        pixels = self.pixels(image, path)
         if pixels is None:
             return None
         top = pixels[::-1, :, :3]

@@ -19,7 +19,9 @@ FADE = 1e-3
 
 def _strength(lamp, painter, losses, where):
     """Colour times energy, with what a lamp's nodes do to it."""
-    rgb = np.array(lamp.color[:3], np.float64) * lamp.energy
+    rgb = np.array(lamp.color[:3], np.float64) * lamp.energy * np.array(versions.lamp_factor(lamp))
+    if not versions.lamp_is_normalized(lamp):
+        losses.lost(where, 'Normalize', '-', 'energy for each area of the lamp; drawn as that of the whole lamp')
     if not lamp.use_nodes or lamp.node_tree is None:
         return rgb
     output = next((n for n in lamp.node_tree.nodes if n.bl_idname == 'ShaderNodeOutputLight' and n.is_active_output), None)

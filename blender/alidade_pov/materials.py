@@ -17,6 +17,10 @@ from .values import Place, Points, Tree, as_number, origin
 
 SHARPEST = 0.02         # alpha of the narrowest highlight: a lamp's own size is about as wide
 WHITE = np.ones(3)
+# White that a blurred reflection of F0 adds to diffuse, in F0. In Cycles a black ball of roughness 0.6 to 1 and F0 = 0.04
+# sends back 0.047 to 0.027 of a white world and 0.013 to 0.007 of a sun (diffuse 0.024 would), most of which is the
+# highlight; a grey one 0.01 less than its colour, since its diffuse lobe is less too.
+HAZE = 0.6
 
 
 class Lobe:
@@ -263,15 +267,18 @@ class Materials:
     def _fresnel_mix(self, source, a, b):
         """Mixed by Fresnel: mirrors take the falloff, everything else its mean."""
         node = source.node
+        facing = None
         if node.bl_idname == 'ShaderNodeFresnel':
             ior = self.number(source, 'IOR', 1.45)
         else:
             amount = min(max(self.number(source, 'Blend', 0.5), 0.0), 0.999)
             ior = 1.0 / max(1.0 - amount, 1e-3)
             if source.socket.name == 'Facing':
-                ior = 1.5
+                # 1 - cos^power, over the disc that a ball is seen as.
+                power = 2 * amount if amount < 0.5 else 0.5 / (1 - amount)
+                ior, facing = 1.5, 1.0 - 2.0 / (power + 2.0)
         f0 = ((ior - 1) / (ior + 1)) ** 2
-        mean = schlick_mean(f0)
+        mean = schlick_mean(f0) if facing is None else facing
 
         def falloff(shader, share):
             if isinstance(shader, Blend):
@@ -314,14 +321,31 @@ class Materials:
     def shader_BsdfGlossy(self, p):
         def at(roughness):
             return Leaf([Lobe('glossy', self.paint(p, 'Color'), 1.0, roughness)])
-        if p.node.distribution == 'SHARP':
+        if getattr(p.node, 'distribution', '') == 'SHARP':
             return at(0.0)
         return self._rough(p, p.node.inputs['Roughness'], at)
 
-    shader_BsdfAnisotropic = shader_BsdfGlossy
+    def shader_BsdfAnisotropic(self, p):
+        socket = p.node.inputs.get('Anisotropy')
+        if socket is not None and (socket.is_linked or socket.default_value != 0):
+            self.losses.lost(self.where, socket.name, p.node.name, 'left out')
+        return self.shader_BsdfGlossy(p)
+
+    def shader_BsdfMetallic(self, p):
+        """A node of 4.3."""
+        socket = p.node.inputs.get('Edge Tint')
+        if socket is not None and getattr(p.node, 'fresnel_type', 'F82') == 'F82' and self._says(socket):
+            self.losses.lost(self.where, socket.name, p.node.name, 'left out')
+        if getattr(p.node, 'fresnel_type', 'F82') != 'F82':
+            self.losses.lost(self.where, 'IOR', p.node.name, 'a metal by its indices of refraction; drawn in its base colour')
+        socket = p.node.inputs.get('Anisotropy')
+        if socket is not None and self._says(socket):
+            self.losses.lost(self.where, socket.name, p.node.name, 'left out')
+        return self._rough(p, p.node.inputs['Roughness'],
+                           lambda r: Leaf([Lobe('glossy', self.paint(p, 'Base Color'), 1.0, r)]))
 
     def shader_BsdfGlass(self, p):
-        roughness = 0.0 if p.node.distribution == 'SHARP' else self.number(p, 'Roughness')
+        roughness = 0.0 if getattr(p.node, 'distribution', '') == 'SHARP' else self.number(p, 'Roughness')
         return Leaf([self._glass(p, self.paint(p, 'Color'), roughness, self.number(p, 'IOR', 1.45))])
 
     def shader_BsdfRefraction(self, p):
@@ -373,6 +397,15 @@ class Materials:
         factor = Paint([(WHITE / (high - low), place), (-WHITE * low / (high - low), None)])
         return Blend(factor, socket.name, build(low), build(high))
 
+    @staticmethod
+    def _says(socket):
+        """Whether an input that is left out would do something: not where it is 0, or a tint that is white."""
+        if socket.is_linked:
+            return True
+        if socket.type == 'RGBA':
+            return min(socket.default_value[:3]) < 0.999
+        return socket.default_value > 0
+
     def shader_BsdfPrincipled(self, p):
         node = p.node
 
@@ -391,10 +424,13 @@ class Materials:
         def number(what, default=0.0):
             socket = find(what)
             return default if socket is None else self.number(p, socket, default, socket.name)
-        for what in ('anisotropic', 'sheen', 'thin_film'):
+        for what in ('anisotropic', 'sheen', 'thin_film', 'diffuse_roughness', 'specular_tint', 'coat_tint'):
             socket = find(what)
-            if socket is not None and (socket.is_linked or socket.default_value > 0):
+            if socket is not None and self._says(socket):
                 self.losses.lost(self.where, socket.name, node.name, 'left out')
+        socket = find('transmission_roughness')
+        if socket is not None and getattr(node, 'distribution', '') == 'GGX' and self._says(socket):
+            self.losses.lost(self.where, socket.name, node.name, 'light scattered as it is refracted; drawn clear')
         base = self.paint(p, find('base_color'))
         base.number = False
         scatter = number('subsurface')
@@ -408,6 +444,7 @@ class Materials:
         f0 = min(versions.specular_f0(self.version, node, ior, number('specular', 0.5)), 1.0)
         coat, coat_rough = number('coat'), number('coat_roughness')
         coat *= 0.25 if self.version < (4, 0, 0) else 1.0
+        coat_f0 = ((number('coat_ior', 1.5) - 1) / (number('coat_ior', 1.5) + 1)) ** 2
 
         def build(metallic, transmission, roughness):
             opaque = (1 - metallic) * (1 - transmission)
@@ -418,7 +455,7 @@ class Materials:
             if through:
                 lobes.append(self._glass(p, base, roughness, ior, through))
             if coat:
-                lobes.append(Lobe('glossy', Paint.constant(WHITE), coat, coat_rough, f0=0.04))
+                lobes.append(Lobe('glossy', Paint.constant(WHITE), coat, coat_rough, f0=coat_f0))
             return Leaf(lobes)
 
         metallic, metal_paint = varying('metallic')
@@ -559,7 +596,7 @@ class Materials:
                          lobe.weight * (1 - 0.5 * (1 - share)), metallic=True)
             return
         finish.mirror(lobe.weight * share * f0, lobe.weight * share)
-        finish.haze += lobe.weight * (1 - share) * min(1.5 * f0, 1.0)
+        finish.haze += lobe.weight * (1 - share) * min(HAZE * f0, 1.0)
         finish.shine(highlight(lobe.roughness, f0), lobe.weight)
 
     def _constant(self, values, finish):

@@ -24,6 +24,8 @@ PROBES = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0.3, 0.7, 0.2]],
 BAKE = 1024             # side of a picture computed over the unit square
 MOST = 4096
 RAMP = 64               # entries of a computed color_map
+MANY = 240              # the most of them: POV-Ray knows 256
+WIDE = 64.0             # the period of a gradient that stands for a texture without one, whose middle is at 0
 
 
 class Paint:
@@ -119,6 +121,14 @@ def matrix_text(matrix):
     return 'matrix <%s>' % ','.join(text.number(0.0 if abs(v) < 1e-12 else v) for v in values)
 
 
+def frame_path(node):
+    """The file that an image node shows at this frame, where its image is a sequence of them; or None."""
+    image = node.image
+    if image is None or image.source != 'SEQUENCE' or not hasattr(image, 'filepath_from_user'):
+        return None
+    return image.filepath_from_user(image_user=node.image_user)
+
+
 class Painter:
     def __init__(self, store, losses):
         self.store, self.losses = store, losses
@@ -128,6 +138,10 @@ class Painter:
         tree = Tree(self.losses, where)
         tree.quiet = quiet
         return Probe(paint, tree)
+
+    def layers(self, paint):
+        """Names of the colour layers that a paint asks for; '' is the rendered one."""
+        return {name or '' for name in self.probe(paint, '-').colours}
 
     def constant(self, paint, where):
         """Its value as three floats, or None."""
@@ -140,7 +154,7 @@ class Painter:
         tree.quiet = True
 
         def sampler(tree, place, points):
-            pixels = place.node.image and self.store.linear(place.node.image)
+            pixels = place.node.image and self.store.linear(place.node.image, frame_path(place.node))
             rgba = np.array([1, 0, 1, 1.0]) if pixels is None else pixels.reshape(-1, 4).mean(axis=0)
             return np.tile(rgba, (points.count, 1))
 
@@ -165,7 +179,7 @@ class Painter:
             mean = self.mean(paint, where)
             return Pigment('rgb %s' % text.vector(mean), corner=paint, mean=mean)
         found = self._image_as_it_is(paint, probe, where, data) or self._native(paint, probe, where) \
-            or self._computed(paint, probe, where, socket, data)
+            or self._along(paint, probe, where) or self._computed(paint, probe, where, socket, data)
         if found:
             return found
         mean = self.mean(paint, where)
@@ -190,7 +204,8 @@ class Painter:
             return None
         if data and paint.terms[0][1].socket.type == 'VALUE' and not self.store.is_data(node.image):
             return None         # a coded picture used as a number: computed instead
-        name = self.store.file(node.image)
+        self._tiles(node, where)
+        name = self.store.file(node.image, frame_path(node))
         if name is None:
             self.losses.lost(where, 'Color', node.name, 'image "%s" has no pixels' % node.image.name)
             return Pigment('rgb <1,0,1>', constant=np.array([1.0, 0, 1]))
@@ -236,7 +251,7 @@ class Painter:
 
         def number(name, default=0.0):
             return float(tree.number(place, name, Points(1), default)[0])
-        pattern = self._pattern(node, number, where)
+        pattern = self._pattern(node, number, where, place.socket.name)
         if pattern is None:
             return None
         words, scale, entries = pattern
@@ -248,14 +263,20 @@ class Painter:
             colours = np.array(pair)
         elif node.bl_idname in ('ShaderNodeTexNoise', 'ShaderNodeTexVoronoi', 'ShaderNodeTexWhiteNoise'):
             colours = np.repeat(values[:, None], 3, axis=1)
+            if words == 'crackle solid':
+                colours = np.random.RandomState(1).rand(len(values), 3)
         points = Points(len(values), scalar=((node.name, place.stack), values, colours), every=np.zeros((len(values), 3)))
         rgb = paint.value(tree, points)
         mean = rgb.mean(axis=0)
+        whole = np.vstack([matrix, [0, 0, 0, 1]])
         if entries is not None:
             body = '%s rgb %s, rgb %s' % (words, text.vector(rgb[0]), text.vector(rgb[1]))
+        elif words == 'gradient x':
+            body = '%s color_map { %s }' % (words, _color_map(0.5 + values / WIDE, rgb))
+            scale = 1 / WIDE
+            whole[0, 3] += 0.5 * WIDE
         else:
             body = '%s color_map { %s }' % (words, _color_map(values, rgb))
-        whole = np.vstack([matrix, [0, 0, 0, 1]])
         whole[:3] *= scale
         if space.startswith('uv:'):
             body = 'uv_mapping ' + body
@@ -265,7 +286,7 @@ class Painter:
         transform = matrix_text(_inverse(whole[:3]))
         return Pigment(body + (' ' + transform if transform else ''), space=space, mean=mean)
 
-    def _pattern(self, node, number, where):
+    def _pattern(self, node, number, where, socket):
         """POV-Ray's words for a texture node, the scale of its coordinates, and the entries if it has but two."""
         kind = node.bl_idname.replace('ShaderNodeTex', '')
         if kind == 'Checker':
@@ -273,7 +294,12 @@ class Painter:
         if kind == 'Gradient':
             words = {'LINEAR': 'gradient x', 'SPHERICAL': 'spherical'}.get(node.gradient_type)
             return words and (words, 1.0, None)
-        if kind == 'Wave' and number('Distortion') == 0:
+        if kind == 'Voronoi' and socket == 'Color':
+            self.losses.lost(where, 'Color', node.name, 'cells lie elsewhere and have other colours')
+            return 'crackle solid', number('Scale', 5.0), None
+        if kind == 'Wave' and number('Distortion') != 0:
+            self.losses.lost(where, 'Distortion', node.name, 'left out')
+        if kind == 'Wave':
             # Bands of sin(20 x) have the period pi / 10; POV-Ray's waves the period 1.
             axis = {'X': 'x', 'Y': 'y', 'Z': 'z'}.get(node.bands_direction)
             wave = {'SIN': 'sine_wave', 'SAW': 'ramp_wave', 'TRI': 'triangle_wave'}[node.wave_profile]
@@ -301,20 +327,66 @@ class Painter:
             return words, number('Scale', 5.0), None
         return None
 
-    # Several on one UV map: a picture
-    def _computed(self, paint, probe, where, socket, data):
+    # Coordinates alone, of which one axis counts: a gradient
+    def _along(self, paint, probe, where):
         kinds = set(probe.kinds)
-        if len(kinds) != 1 or not next(iter(kinds)).startswith('uv:') or probe.colours:
+        if len(kinds) != 1 or probe.images or probe.natives or probe.colours:
             return None
         space = next(iter(kinds))
+        if space not in ('generated', 'object'):
+            return None
+        tree = Tree(self.losses, where)
+        tree.quiet = True
+        low, high = (0.0, 1.0) if space == 'generated' else (-8.0, 8.0)
+
+        def at(places):
+            return paint.value(tree, Points(len(places), coordinates={space: places}))
+        random = low + (high - low) * np.random.RandomState(1).rand(64, 3)
+        axes = []
+        for axis in range(3):
+            moved = random.copy()
+            moved[:, axis] = random[::-1, axis]
+            if not np.allclose(at(moved), at(random), atol=1e-4):
+                axes.append(axis)
+        if len(axes) != 1:
+            return None
+        values = np.linspace(low, high, MANY)
+        places = np.zeros((MANY, 3))
+        places[:, axes[0]] = values
+        rgb = at(places)
+        body = 'gradient %s color_map { %s } scale %s translate %s*%s' % (
+            'xyz'[axes[0]], _color_map(0.5 + values / WIDE, rgb), text.number(WIDE), text.number(-0.5 * WIDE), 'xyz'[axes[0]])
+        return Pigment(body, space=space, mean=rgb.mean(axis=0))
+
+    def _flat(self, paint, tree, space):
+        """Whether a paint is the same whatever z is."""
+        places = np.random.RandomState(1).rand(256, 3)
+        moved = places.copy()
+        moved[:, 2] = places[::-1, 2]
+        one, two = (paint.value(tree, Points(len(at), coordinates={space: at}, sampler=self.sampler))
+                    for at in (places, moved))
+        return np.allclose(one, two, atol=1e-4)
+
+    # Several on one UV map, or on Generated coordinates of which z does not count: a picture
+    def _computed(self, paint, probe, where, socket, data):
+        kinds = set(probe.kinds)
+        if len(kinds) != 1 or probe.colours:
+            return None
+        space = next(iter(kinds))
+        if not space.startswith('uv:') and space != 'generated':
+            return None
         tree = Tree(self.losses, where)
         tree.quiet = True
         for place, _ in probe.images:
             node = place.node
             if node.projection != 'FLAT' or node.image is None:
                 return None
-        if any(p.node.bl_idname not in ('ShaderNodeTexChecker', 'ShaderNodeTexGradient', 'ShaderNodeTexWave')
+        if any(p.node.bl_idname not in ('ShaderNodeTexChecker', 'ShaderNodeTexGradient', 'ShaderNodeTexWave', 'ShaderNodeTexBrick')
                for p, _ in probe.natives):
+            return None
+        if any(p.node.bl_idname == 'ShaderNodeTexWave' and p.node.inputs['Distortion'].default_value != 0 for p, _ in probe.natives):
+            return None
+        if space == 'generated' and not self._flat(paint, tree, space):
             return None
         shared = self._shared(probe)
         width = height = BAKE
@@ -325,7 +397,7 @@ class Painter:
             shared = np.eye(4)[:3]
             width = height = min(max(BAKE, width, height), MOST)
             self.losses.nearest(where, socket, '-', 'computed as a picture of the square from (0,0) to (1,1) of "%s"'
-                                % (space[3:] or 'UV'))
+                                % ('Generated' if space == 'generated' else space[3:] or 'UV'))
         width, height = min(max(width, 4), MOST), min(max(height, 4), MOST)
         rgb = self.compute(paint, tree, space, shared, width, height)
         stem = '%s-%s' % (where, socket)
@@ -354,9 +426,14 @@ class Painter:
         matrix[:2, 2] = 0
         return matrix if _inverse(matrix) is not None else None
 
+    def _tiles(self, node, where):
+        if node.image is not None and node.image.source == 'TILED' and len(node.image.tiles) > 1:
+            self.losses.lost(where, 'Color', node.name, 'all tiles of "%s" (UDIM) but the first' % node.image.name)
+
     def sampler(self, tree, place, points):
         """What an image texture shows, for Points: pink where it has no pixels, as Blender draws it."""
-        pixels = self.store.linear(place.node.image)
+        self._tiles(place.node, tree.where)
+        pixels = place.node.image and self.store.linear(place.node.image, frame_path(place.node))
         if pixels is None:
             return np.tile([1.0, 0, 1, 1], (points.count, 1))
         at = tree.place_vector(place, points)

@@ -10,7 +10,7 @@ import os
 
 import numpy as np
 
-from . import camera, geometry, lamps, text, world
+from . import camera, geometry, lamps, text, visible, world
 from .images import Store
 from .losses import Losses
 from .materials import Materials
@@ -19,7 +19,7 @@ from .relief import Refined
 from .values import Points, Tree
 
 MESHES = {'MESH', 'CURVE', 'SURFACE', 'FONT', 'META'}
-SILENT = {'EMPTY', 'CAMERA', 'ARMATURE', 'LATTICE', 'SPEAKER', 'GPENCIL', 'GREASEPENCIL'}
+SILENT = {'EMPTY', 'CAMERA', 'ARMATURE', 'LATTICE', 'SPEAKER', 'LIGHT_PROBE'}
 
 
 class Options:
@@ -44,23 +44,26 @@ class Lost(Exception):
 class Export:
     """State of one export: what the parts (lamps, materials, ...) share."""
 
-    def __init__(self, graph, path, options, version, draw_world=None):
+    def __init__(self, graph, path, options, version, draw_world=None, losses=None):
         self.graph, self.path, self.options, self.version = graph, path, options, version
         self.scene = graph.scene_eval
-        self.losses = Losses()
+        self.losses = losses or Losses()
+        self.layer = getattr(graph, 'view_layer', None)
         stem = os.path.splitext(os.path.basename(path))[0]
         self.store = Store(os.path.dirname(os.path.abspath(path)), stem + '-pictures')
         self.painter = Painter(self.store, self.losses)
         self.materials = Materials(self.painter, self.losses, version)
         self.materials.bake_normals = options.relief > 0
         self.draw_world = draw_world
-        self.exposure = 2.0 ** self.scene.view_settings.exposure if options.exposure else 1.0
+        film = getattr(getattr(self.scene, 'cycles', None), 'film_exposure', 1.0)
+        self.exposure = film * 2.0 ** self.scene.view_settings.exposure if options.exposure else 1.0
         self.materials.exposure = self.exposure
         self.meshes = io.BytesIO()
         self.declared = {}              # digest of a mesh and its looks -> list of (identifier, interior)
         self.cached = {}                # while the graph stands still: what was made of a data-block
         self.names = set()
         self.low, self.high = np.full(3, np.inf), np.full(3, -np.inf)
+        self.nearest, self.farthest = np.inf, 0.0       # of boxes before the camera, along its axis
 
     # What the graph holds, sorted
     def gather(self):
@@ -73,14 +76,20 @@ class Export:
                 parent = instance.parent.name_full if instance.parent else ''
                 key = '%s/%s' % (parent, key)
             order = (key, tuple(instance.persistent_id))
+            whole = [ob] + ([instance.parent] if instance.is_instance and instance.parent else [])
             if ob.type == 'LIGHT':
+                visible.lamp(whole, self.losses, key)
                 lights.append((order, ob.data, matrix, key))
             elif instance.show_self and (ob.type in MESHES or ob.type in ('CURVES', 'HAIR', 'POINTCLOUD')):
-                things.append((order, self.made(ob), matrix, key))
+                words = visible.words(whole, self.layer, self.losses, ob.name_full)
+                if words is not None:
+                    things.append((order, self.made(ob), matrix, words))
             elif ob.type not in SILENT and ob.type not in MESHES:
                 self.losses.lost(ob.name_full, '-', '-', 'objects of the kind %s' % ob.type.lower())
             if instance.show_particles and not instance.is_instance:
-                strands += self.hair(ob, order)
+                words = visible.words(whole, self.layer, self.losses, ob.name_full)
+                if words is not None:
+                    strands += self.hair(ob, order, words)
         self.lights = sorted(lights, key=lambda l: l[0])
         things.sort(key=lambda t: t[0])
         return things + sorted(strands, key=lambda t: t[0])
@@ -95,9 +104,11 @@ class Export:
             self.cached[key] = self._make(ob, slots)
         return self.cached[key]
 
-    @staticmethod
-    def slots(ob):
+    def slots(self, ob):
         """The materials of an object's slots, those that hang on the object before those of its data."""
+        override = getattr(self.layer, 'material_override', None)
+        if override is not None:
+            return [override]
         own = list(ob.data.materials) if ob.data is not None and hasattr(ob.data, 'materials') else []
         found = []
         for i in range(max(len(own), len(ob.material_slots))):
@@ -142,7 +153,7 @@ class Export:
                 corners = triangles.uv(look.uv or None)
                 digest.update(b'-' if corners is None else corners.tobytes())
         if any(l.corner is not None for l in looks):
-            for layer in sorted(triangles_layers(mesh)):
+            for layer in sorted({n for l in looks if l.corner is not None for n in self.painter.layers(l.corner)}):
                 values = triangles.colour(layer)
                 digest.update(values.tobytes() if values is not None else b'-')
         digest = digest.hexdigest()
@@ -233,7 +244,7 @@ class Export:
         return result, entries
 
     # Hair
-    def hair(self, ob, order):
+    def hair(self, ob, order, words):
         found = []
         for system in ob.particle_systems if ob.type == 'MESH' else ():
             settings = system.settings
@@ -251,7 +262,7 @@ class Export:
             along = np.concatenate([np.linspace(0, 1, c) for c in counts])
             radii = tip + (root - tip) * np.power(np.maximum(1 - along, 0), power)
             parts = self._tubes('%s %s' % (ob.name_full, system.name), np.concatenate(points), counts, radii, material)
-            found.append(((order[0], order[1] + (system.name,)), parts, np.eye(4), '%s %s' % (order[0], system.name)))
+            found.append(((order[0], order[1] + (system.name,)), parts, np.eye(4), words))
         return [((f[0][0] + '/' + str(f[0][1][-1]), f[0][1][:-1]), *f[1:]) for f in found]
 
     @staticmethod
@@ -336,17 +347,24 @@ class Export:
         placed = corners @ matrix[:3, :3].T + matrix[:3, 3]
         self.low = np.minimum(self.low, placed.min(axis=0))
         self.high = np.maximum(self.high, placed.max(axis=0))
+        if self.scene.camera is not None:
+            eye = np.array(self.scene.camera.matrix_world)
+            depth = (eye[:3, 3] - placed) @ eye[:3, 2] / max(np.linalg.norm(eye[:3, 2]), 1e-20)
+            near, far = float(depth.min()), float(depth.max())
+            self.farthest = max(self.farthest, far)
+            if near > 0:
+                self.nearest = min(self.nearest, near)
 
     def run(self):
         things = self.gather()
         objects = []
-        for order, parts, matrix, label in things:
+        for order, parts, matrix, words in things:
             if abs(np.linalg.det(matrix[:3, :3])) < 1e-30 or not np.all(np.isfinite(matrix)):
                 continue
             placed = matrix_text(matrix)
             for part in parts:
                 self.grow(part[-1], matrix)
-                objects.append('object { %s%s }\n' % (part[0], ' ' + placed if placed else ''))
+                objects.append('object { %s }\n' % ' '.join([part[0]] + [placed] * bool(placed) + words))
         if not np.all(np.isfinite(self.low)):
             self.low, self.high = -np.ones(3), np.ones(3)
         self.middle = 0.5 * (self.low + self.high)
@@ -409,8 +427,3 @@ class Export:
             out.write(self.meshes.getbuffer())
             put(objects)
         os.replace(temporary, self.path)
-
-
-def triangles_layers(mesh):
-    layers = getattr(mesh, 'color_attributes', None)
-    return [layer.name for layer in layers] if layers is not None else []

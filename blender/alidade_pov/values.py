@@ -219,6 +219,15 @@ def blackbody(kelvin):
     return np.maximum(rgb, 0)
 
 
+def _brick_noise(number):
+    """Blender's tint of a brick, 0 to 1, from the number of its row and place: a hash of 32 bits."""
+    n = (number + 1013) & 0x7fffffff
+    n = (n >> 13) ^ n
+    n = n.astype(np.uint64)
+    n = (n * (n * n * np.uint64(60493) + np.uint64(19990303)) + np.uint64(1376312589)) & np.uint64(0x7fffffff)
+    return 0.5 * (n.astype(np.float64) / 1073741824.0)
+
+
 class Tree:
     """Evaluates sockets; losses and where: what to tell when a node cannot be followed."""
 
@@ -349,7 +358,34 @@ class Tree:
             return np.full(points.count, 0.5)
         raise Unsupported(p.node, 'a procedural texture together with others')
 
-    node_TexVoronoi = node_TexMusgrave = node_TexMagic = node_TexBrick = node_TexWhiteNoise = node_TexNoise
+    node_TexVoronoi = node_TexMusgrave = node_TexMagic = node_TexWhiteNoise = node_TexGabor = node_TexNoise
+
+    def node_TexBrick(self, p, points):
+        """Rows of bricks in x and y, each of a tint of its own."""
+        if self.native(p, points):
+            middle = 0.5 * (self.colour(p, 'Color1', points) + self.colour(p, 'Color2', points))
+            return middle if p.socket.name == 'Color' else np.full(points.count, 0.5)
+        at = self.place_vector(p, points) * self.number(p, 'Scale', points)[:, None]
+        joint, soft, bias, width, high = (self.number(p, name, points) for name in (
+            'Mortar Size', 'Mortar Smooth', 'Bias', 'Brick Width', 'Row Height'))
+        width, high = np.where(width == 0, 1e-6, width), np.where(high == 0, 1e-6, high)
+        row = np.floor(at[:, 1] / high).astype(np.int64)
+        offset = np.zeros(points.count)
+        if p.node.offset_frequency and p.node.squash_frequency:
+            width = np.where(row % p.node.squash_frequency, width, width * p.node.squash)
+            offset = np.where(row % p.node.offset_frequency, 0.0, width * p.node.offset)
+        brick = np.floor((at[:, 0] + offset) / width).astype(np.int64)
+        x, y = at[:, 0] + offset - width * brick, at[:, 1] - high * row
+        tint = np.clip(_brick_noise((row << 16) + (brick & 0xffff)) + bias, 0, 1)
+        edge = np.minimum(np.minimum(x, y), np.minimum(width - x, high - y))
+        share = 1 - edge / np.where(joint == 0, 1, joint)
+        smooth = np.clip(share / np.where(soft == 0, 1, soft), 0, 1)
+        mortar = np.where(edge >= joint, 0.0, np.where(soft == 0, 1.0, smooth * smooth * (3 - 2 * smooth)))
+        if p.socket.name == 'Fac':
+            return mortar
+        one, two, three = (self.colour(p, name, points) for name in ('Color1', 'Color2', 'Mortar'))
+        face = one + (two - one) * tint[:, None]
+        return face + (three - face) * mortar[:, None]
 
     def node_TexChecker(self, p, points):
         if self.native(p, points):
@@ -393,6 +429,12 @@ class Tree:
             return 0.5 + 0.5 * np.sin(n - np.pi / 2)
         n = n / (2 * np.pi)
         return n - np.floor(n) if p.node.wave_profile == 'SAW' else np.abs(n - np.floor(n + 0.5)) * 2
+
+    def node_LightPath(self, p, points):
+        """As a camera ray finds it: what other rays would see is lost."""
+        self.lost(p.socket.name, p.node, 'seen as by camera rays, whatever the ray')
+        first = {'Is Camera Ray': 1.0, 'Ray Length': 1.0}
+        return np.full(points.count, first.get(p.socket.name, 0.0))
 
     def node_ObjectInfo(self, p, points):
         raise Unsupported(p.node, 'object info "%s"' % p.socket.name)

@@ -26,6 +26,8 @@ PRINCIPLED = {
     'coat_roughness': ('Coat Roughness', 'Clearcoat Roughness'),
     'coat_normal': ('Coat Normal', 'Clearcoat Normal'),
     'coat_tint': ('Coat Tint',),
+    'coat_ior': ('Coat IOR',),
+    'diffuse_roughness': ('Diffuse Roughness',),
     'sheen': ('Sheen Weight', 'Sheen'),
     'emission': ('Emission Color', 'Emission'),
     'emission_strength': ('Emission Strength',),
@@ -69,14 +71,9 @@ def corner_normals(mesh, version, allocate):
 def has_own_normals(mesh, version):
     """Whether corners can differ from both their face's and their vertex's normal."""
     if version >= (4, 1, 0):
-        return getattr(mesh, 'normals_domain', 'CORNER') == 'CORNER' and (
-            mesh.has_custom_normals or any(e for e in sharp_edges(mesh)))
+        # Flat faces beside smooth ones are enough: their edges are sharp then. That is what Cycles asks, too.
+        return mesh.normals_domain == 'CORNER'
     return mesh.has_custom_normals or mesh.use_auto_smooth
-
-
-def sharp_edges(mesh):
-    layer = mesh.attributes.get('sharp_edge')
-    return [True] if layer is not None else []
 
 
 def spot_has_cosine(version):
@@ -84,8 +81,16 @@ def spot_has_cosine(version):
     return version < (4, 0, 0)
 
 
+def lamp_factor(lamp):
+    """What newer lamps (4.5) multiply their colour and energy by: exposure and the colour of a temperature."""
+    factor = 2.0 ** getattr(lamp, 'exposure', 0.0)
+    warmth = getattr(lamp, 'temperature_color', (1.0,) * 3) if getattr(lamp, 'use_temperature', False) else (1.0,) * 3
+    return [factor * channel for channel in warmth]
 
 
+def lamp_is_normalized(lamp):
+    """Whether a lamp's energy is that of the whole lamp, whatever its size; only 4.5 can say no."""
+    return getattr(lamp, 'normalize', True)
 
 
 def color_attributes(mesh):

@@ -5,9 +5,22 @@
 # Many varied Blender files against POV-Ray: see breadth.py. Takes minutes, so only under ALIDADE_ALL=1
 # or when numbers of files are given.
 #
-#	breadth.sh [NUMBER...]
+#	breadth.sh [ordinary|gallery] [NUMBER...]
 . "${ALIDADE_SRC:-.}/tests/tap.sh"
-[ -n "${ALIDADE_ALL:-}" ] || [ $# -gt 1 ] || { [ $# -gt 0 ] && [ "$1" != ordinary ]; } || skip_all "only ./dev check --all makes files with Blender"
+script=breadth
+what=${1:-}
+case $what in
+ordinary) ;;
+gallery)
+	script=gallery
+	shift
+	[ $# -eq 0 ] || what=
+	;;
+?*) what= ;;
+*) what=all ;;
+esac
+[ "$what" != ordinary ] || [ $# -eq 1 ] || what=
+[ -n "${ALIDADE_ALL:-}" ] || [ -z "$what" ] || skip_all "only ./dev check --all makes files with Blender"
 need blender povray python3
 # Debian's own python3 has numpy, whatever comes first in the path.
 python=python3
@@ -20,4 +33,4 @@ export ALIDADE ALIDADE_SRC ALIDADE_BUILD PYTHONDONTWRITEBYTECODE=1
 trap - EXIT
 # shellcheck disable=SC2154 # tap.sh sets it
 rm -rf "$tap_dir"
-exec $python "$ALIDADE_SRC/tests/blender/breadth.py" "$@"
+exec $python "$ALIDADE_SRC/tests/blender/$script.py" "$@"

@@ -380,6 +380,177 @@ def objects():
     check('volumes are lost', any(l.startswith('Smoke, -, -') for l in losses.lost_lines()), losses.lost_lines())
 
 
+def seen():
+    """What rays see, what a camera clips, and what is left of a picture's afterlife."""
+    scene = empty()
+    ball = gallery.ball(gallery.principled('A'), segments=8, rings=4)
+    ball.visible_camera = ball.visible_shadow = False
+    has('hidden from camera and shadow rays', export('rays')[0], 'object { M_Ball no_image no_shadow }')
+    ball.visible_camera = ball.visible_shadow = True
+    group = bpy.data.collections.new('Group')
+    scene.collection.children.link(group)
+    scene.collection.objects.unlink(ball)
+    group.objects.link(ball)
+    in_layer = bpy.context.view_layer.layer_collection.children['Group']
+    in_layer.holdout = True
+    _, losses = export('holdout')
+    check('a collection that holds out is lost', losses.lost_lines() == [
+        'Ball, Holdout, -: a hole in the picture\'s alpha; drawn as it is'], losses.lost_lines())
+    in_layer.holdout, in_layer.indirect_only = False, True
+    has('one of indirect light only', export('indirect-only')[0], 'object { M_Ball no_image }')
+    in_layer.indirect_only = False
+    bpy.context.view_layer.material_override = gallery.principled('Clay', (0.1, 0.2, 0.3))
+    text, _ = export('override')
+    check('a view layer\'s material overrides all', 'texture { T_Clay }' in text and 'T_A' not in text, text)
+    bpy.context.view_layer.material_override = None
+    eye = scene.camera.data
+    eye.clip_end = 5.5
+    check('what is beyond the clip end is told', export('clip')[1].lost_lines() == [
+        'Camera, Clip End, -: what lies farther is drawn'])
+    eye.clip_start, eye.clip_end = 4.5, 100
+    check('and what is before its start', export('clip-start')[1].lost_lines() == [
+        'Camera, Clip Start, -: what lies nearer is drawn'])
+    eye.clip_start = 0.1
+    before, _ = export('film')
+    scene.cycles.film_exposure = 2
+    after, _ = export('film-brighter')
+    check('Cycles\' exposure', close(numbers(after, 'background { rgb'), 2 * numbers(before, 'background { rgb')))
+    scene.cycles.film_exposure = 1
+    scene.use_nodes = True
+    scene.node_tree.nodes.new('CompositorNodeGlare')
+    sketch = gallery.add('Sketch', bpy.data.grease_pencils.new('Sketch'))
+    lines = export('afterwards')[1].lost_lines()
+    check('compositing and grease pencil are lost', [l.split(':')[0] for l in lines] == [
+        'Scene, Compositing, Glare', 'Sketch, -, -'], lines)
+    bpy.data.objects.remove(sketch)
+
+
+def attributes():
+    """Whatever geometry nodes or people store under a name."""
+    def painted(name, kind, domain, values, field, output='Color'):
+        empty()
+        mat, tree, out, new = gallery.nodes('Mat')
+        node, glow = new('Attribute'), new('BsdfDiffuse')
+        node.attribute_name = name
+        tree.links.new(node.outputs[output], glow.inputs[0])
+        tree.links.new(glow.outputs[0], out.inputs[0])
+        ob = gallery.mesh('Two', [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3)], mat)
+        ob.data.uv_layers.new(name='UVMap').data.foreach_set('uv', [0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1])
+        if kind:
+            ob.data.attributes.new(name, kind, domain).data.foreach_set(field, values)
+        text, losses = export('attribute-%s-%s' % (kind, domain))
+        return {tuple(np.round([float(v) for v in m.split(',')], 2)) for m in re.findall(r'pigment \{ rgb <([^>]*)>', text)}, losses
+    found, losses = painted('heat', 'FLOAT', 'POINT', [0, 0.25, 0.5, 1], 'value', 'Fac')
+    check('a number at vertices', close(sorted(f[0] for f in found), (0, 0.25, 0.5, 1), 0.01) and not losses.lost_lines(), found)
+    found, _ = painted('side', 'FLOAT', 'FACE', [0.25, 0.5], 'value', 'Fac')
+    check('a number at faces', close(sorted(f[0] for f in found), (0.25, 0.5), 0.01), found)
+    found, _ = painted('place', 'FLOAT_VECTOR', 'CORNER', [0.25, 0.5, 0] * 6, 'vector')
+    check('a vector at corners', len(found) == 1 and close(found.pop(), (0.25, 0.5, 0), 0.01))
+    found, _ = painted('on', 'BOOLEAN', 'FACE', [False, True], 'value', 'Fac')
+    check('yes and no', sorted(found) == [(0, 0, 0), (1, 1, 1)], found)
+    found, _ = painted('UVMap', None, None, None, None)
+    check('a UV map', sorted(found) == [(0, 0, 0), (0, 1, 0), (1, 0, 0), (1, 1, 0)], found)
+    _, losses = painted('nothing', None, None, None, None)
+    check('what is not there is told', any('nothing' in l for l in losses.lost_lines()))
+
+
+def textures():
+    def into_diffuse(build):
+        def whole(new, tree, output):
+            bsdf = new('BsdfDiffuse')
+            tree.links.new(build(new, tree), bsdf.inputs[0])
+            tree.links.new(bsdf.outputs[0], output.inputs[0])
+        return whole
+
+    def ramp(new, tree):
+        part = new('SeparateXYZ')
+        tree.links.new(new('TexCoord').outputs['Generated'], part.inputs[0])
+        return part.outputs[2]
+    text, losses, _ = on_ball(into_diffuse(ramp), 'axis')
+    has('one axis of Generated is a gradient', text, 'gradient z color_map { [0.5 rgb <0,0,0>] [0.515625 rgb <1,1,1>] } '
+        'scale 64 translate -32*z')
+    check('and nothing is lost', not losses.lost_lines(), losses.lost_lines())
+
+    def linear(new, tree):
+        return new('TexGradient').outputs[0]
+    has('a linear gradient ends where it ends', on_ball(into_diffuse(linear), 'linear')[0],
+        'gradient x color_map { [0.5 rgb <0,0,0>] [0.515625 rgb <1,1,1>] } matrix <64,0,0,0,64,0,0,0,64,-32,')
+
+    def bricks(new, tree):
+        node = new('TexBrick', Scale=4.0, Color1=(1, 0, 0, 1), Color2=(1, 0, 0, 1), Mortar=(0, 0, 1, 1))
+        tree.links.new(new('TexCoord').outputs['UV'], node.inputs[0])
+        return node.outputs[0]
+    text, losses, _ = on_ball(into_diffuse(bricks), 'bricks')
+    has('bricks are computed', text, 'uv_mapping image_map', 'case-bricks-pictures/Mat-diffuse.png')
+    values = importlib.import_module('alidade_pov.values')
+    tree = bpy.data.materials['Mat'].node_tree
+    node = next(n for n in tree.nodes if n.bl_idname == 'ShaderNodeTexBrick')
+    node.inputs['Color2'].default_value = (0, 1, 0, 1)
+    # In Cycles' picture of these bricks: rows 0 and 1 of a map of 20 rows, red of brick 1 to 3.
+    at = np.array([[x, y, 0] for y, x in ((0.025, 0.11), (0.025, 0.21), (0.075, 0.16), (0.075, 0.26))]) * 1.25
+    points = values.Points(len(at), coordinates={'uv:': at})
+    red = values.Tree(None, '-').node_TexBrick(values.Place(node, node.outputs[0]), points)[:, 0]
+    check('with Cycles\' tints', close(red, (0.9225, 0.9375, 0.89125, 0.70625), 2e-3), red)
+
+    def voronoi(new, tree):
+        return new('TexVoronoi').outputs['Color']
+    text, losses, _ = on_ball(into_diffuse(voronoi), 'cells')
+    check('cells have colours of their own', 'crackle solid' in text and any('Voronoi' in l for l in losses.lost_lines()), text)
+
+    def path(new, tree, output):
+        mix, node = new('MixShader'), new('LightPath')
+        tree.links.new(node.outputs['Is Shadow Ray'], mix.inputs[0])
+        tree.links.new(new('BsdfGlass', Roughness=0.0).outputs[0], mix.inputs[1])
+        tree.links.new(new('BsdfTransparent').outputs[0], mix.inputs[2])
+        tree.links.new(mix.outputs[0], output.inputs[0])
+    text, losses, _ = on_ball(path, 'light-path')
+    check('light paths: what the camera sees, and told', 'rgbf <1,1,1,1>' in text and any('Light Path' in l for l in losses.lost_lines()),
+          (text, losses.lost_lines()))
+
+    def facing(new, tree, output):
+        mix, node = new('MixShader'), new('LayerWeight', Blend=0.5)
+        tree.links.new(node.outputs['Facing'], mix.inputs[0])
+        tree.links.new(new('BsdfDiffuse', Color=(1, 0, 0, 1)).outputs[0], mix.inputs[1])
+        tree.links.new(new('BsdfDiffuse', Color=(0, 0, 1, 1)).outputs[0], mix.inputs[2])
+        tree.links.new(mix.outputs[0], output.inputs[0])
+    has('facing mixes by its mean', on_ball(facing, 'facing')[0], 'rgb <0.666666')
+    _, losses, _ = shader('BsdfPrincipled', Specular_Tint=0.5)
+    check('a tint of specular is lost', losses.lost_lines() == ['Mat, Specular Tint, Principled BSDF: left out'])
+    _, losses, _ = shader('BsdfAnisotropic', Anisotropy=0.5)
+    check('anisotropy too', losses.lost_lines() == ['Mat, Anisotropy, Anisotropic BSDF: left out'], losses.lost_lines())
+
+    # Images of several files
+    folder = os.path.join(work, 'files')
+    os.makedirs(folder, exist_ok=True)
+    for number, name in ((1, 'seq0001'), (2, 'seq0002'), (3, 'u.1001'), (4, 'u.1002')):
+        image = gallery.picture('x', np.full((4, 4, 3), number / 4))
+        image.filepath_raw, image.file_format = os.path.join(folder, name + '.png'), 'PNG'
+        image.save()
+
+    def image_of(file, source):
+        def build(new, tree):
+            node = new('TexImage')
+            node.image = bpy.data.images.load(os.path.join(folder, file))
+            node.image.source = source
+            if source == 'TILED':
+                node.image.tiles.new(1002)
+            node.image_user.frame_duration = 2
+            return node.outputs[0]
+        return build
+    empty()
+    mat, tree, output, new = gallery.nodes('Mat')
+    into_diffuse(image_of('seq0001.png', 'SEQUENCE'))(new, tree, output)
+    gallery.ball(mat, segments=8, rings=4)
+    bpy.context.scene.frame_set(2)
+    text, losses = export('sequence')
+    written = re.search(r'image_map \{ png "([^"]*)"', text)
+    same = written and bpy.data.images.load(os.path.join(work, written.group(1)))
+    check('an image sequence shows its frame', same and abs(same.pixels[0] - 0.5) < 0.01 and not losses.lost_lines(),
+          (text[-900:], losses.lost_lines()))
+    _, losses, _ = on_ball(into_diffuse(image_of('u.1001.png', 'TILED')), 'tiles')
+    check('tiles of an image are told', any('UDIM' in l for l in losses.lost_lines()), losses.lost_lines())
+
+
 def worlds():
     scene = empty()
     text, _ = export('world')
@@ -406,7 +577,7 @@ def strict_file():
 
 
 try:
-    for part in (cameras, lamps, materials, colour_nodes, images, objects, worlds, strict_file):
+    for part in (cameras, lamps, materials, colour_nodes, images, textures, attributes, objects, seen, worlds, strict_file):
         part()
     for name in gallery.SCENES:
         gallery.SCENES[name]()

@@ -13,8 +13,8 @@ import zlib
 import numpy as np
 
 sys.path.insert(0, sys.argv[1])
-text, pictures, versions, geometry, images = (importlib.import_module('alidade_pov.' + n) for n in (
-    'text', 'pictures', 'versions', 'geometry', 'images'))
+text, pictures, versions, geometry, images, visible, lossy = (importlib.import_module('alidade_pov.' + n) for n in (
+    'text', 'pictures', 'versions', 'geometry', 'images', 'visible', 'losses'))
 
 
 def check(name, good, why=''):
@@ -137,6 +137,55 @@ check('corner normals of 3.4', versions.corner_normals(mesh34, (3, 4, 1), np.emp
 check('corner normals of 4.1', versions.corner_normals(mesh41, (4, 1, 0), np.empty).tolist() == [2] * 6
       and corners.asked == ['vector'])
 check('a spot has its cosine until 4.0', versions.spot_has_cosine((3, 6, 0)) and not versions.spot_has_cosine((4, 0, 0)))
+
+old34 = Socket(has_custom_normals=False, use_auto_smooth=False)
+check('corners differ in 3.4 with auto smooth or normals of their own', not versions.has_own_normals(old34, (3, 4, 1))
+      and versions.has_own_normals(Socket(has_custom_normals=False, use_auto_smooth=True), (3, 4, 1)))
+check('and in 4.1 where Blender says so', [versions.has_own_normals(Socket(normals_domain=d), (4, 1, 0))
+                                           for d in ('POINT', 'FACE', 'CORNER')] == [False, False, True])
+check('a lamp of 4.5: exposure and temperature', versions.lamp_factor(Socket()) == [1, 1, 1]
+      and versions.lamp_factor(Socket(exposure=1.0, use_temperature=True, temperature_color=(1, 0.5, 0.25))) == [2, 1, 0.5]
+      and versions.lamp_factor(Socket(use_temperature=False, temperature_color=(1, 0.5, 0.25))) == [1, 1, 1])
+check('or its energy by area', versions.lamp_is_normalized(Socket()) and not versions.lamp_is_normalized(Socket(normalize=False)))
+
+# What rays see of an object, and what is done to a picture afterwards.
+losses = lossy.Losses()
+check('an object that all rays see needs no word', visible.words([Socket()], None, losses, 'A') == [] and not losses.lost_lines())
+check('hidden from camera and shadow rays', visible.words([Socket(visible_camera=False), Socket(visible_shadow=False)], None,
+                                                          losses, 'A') == ['no_image', 'no_shadow'])
+check('from mirrors and diffuse rays', visible.words([Socket(visible_glossy=False, visible_diffuse=False)], None, losses, 'A')
+      == ['no_reflection', 'no_radiosity'])
+check('from all', visible.words([Socket(**{'visible_' + n: False for n in (
+    'camera', 'shadow', 'glossy', 'diffuse', 'transmission')})], None, losses, 'A') is None and not losses.lost_lines())
+layer = object()
+asked = Socket(original=Socket(indirect_only_get=lambda view_layer: view_layer is layer, holdout_get=lambda view_layer: False))
+check('in a collection that is indirect only', visible.words([asked], layer, losses, 'A') == ['no_image'])
+for name, thing, why in (('Holdout', Socket(is_holdout=True), 'a hole in the picture\'s alpha; drawn as it is'),
+                         ('Shadow Catcher', Socket(is_shadow_catcher=True), 'drawn as it is'),
+                         ('Light Linking', Socket(light_linking=Socket(receiver_collection=1, blocker_collection=None)),
+                          'a lamp that lights or is blocked by some objects only'),
+                         ('Ray Visibility', Socket(visible_transmission=False),
+                          'seen through glass, though it is hidden from such rays')):
+    losses = lossy.Losses()
+    check('%s is told' % name, visible.words([thing], None, losses, 'A') == [] and losses.lost_lines() == [
+        'A, %s, -: %s' % (name, why)], losses.lost_lines())
+losses = lossy.Losses()
+render = Socket(use_compositing=True, use_sequencer=True, use_multiview=True, use_freestyle=True)
+tree = Socket(nodes=[Socket(bl_idname='CompositorNodeRLayers', name='R', mute=False),
+                     Socket(bl_idname='CompositorNodeGlare', name='Glare', mute=False),
+                     Socket(bl_idname='CompositorNodeBlur', name='Blur', mute=True)])
+scene = Socket(name='S', render=render, node_tree=tree, use_nodes=True, sequence_editor=Socket(sequences=[1]),
+               view_layers=[Socket(name='L1', use=True), Socket(name='L2', use=False), Socket(name='L3', use=True)],
+               view_settings=Socket(gamma=1.0, use_curve_mapping=True))
+visible.afterwards(scene, losses)
+check('what is done to a picture afterwards is told', [l.split(':')[0] for l in losses.lost_lines()] == [
+    'S, Compositing, Glare', 'S, Freestyle, -', 'S, Sequencer, -', 'S, Stereoscopy, -', 'S, View Layer, L3']
+    and len(losses.nearest_lines()) == 1, losses.lost_lines())
+losses = lossy.Losses()
+scene.use_nodes, scene.sequence_editor, scene.view_layers = False, None, scene.view_layers[:1]
+render.use_multiview = render.use_freestyle = scene.view_settings.use_curve_mapping = False
+visible.afterwards(scene, losses)
+check('and nothing else', not losses.lost_lines() + losses.nearest_lines())
 
 rows, where = geometry.distinct(np.array([[0, 0, 1], [1, 0, 0], [0, 0, 1.0], [0, 0, -1]], np.float32))
 check('each normal once', len(rows) == 3 and np.array_equal(rows[where][:3], [[0, 0, 1], [1, 0, 0], [0, 0, 1]]))

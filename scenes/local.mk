@@ -1,5 +1,6 @@
 # Scenes: the script that makes each, what Blender exported, POV-Ray's reference pictures.
 EXTRA_DIST += scenes/common.py scenes/export.sh scenes/references.sh scenes/scenes.txt
+EXTRA_DIST += scenes/radiosity/make.py
 EXTRA_DIST += scenes/landscape/make.py scenes/landscape/landscape.ini scenes/landscape/reference.exr \
 	scenes/landscape/reference-aa.exr scenes/landscape/reference.txt
 EXTRA_DIST += scenes/lecture/make.py scenes/lecture/lecture.pov scenes/lecture/lecture.ini \

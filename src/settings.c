@@ -14,8 +14,8 @@
 
 enum {
 	KEY_ALPHA = OPTION_LONG_ONLY, KEY_AA, KEY_BITS, KEY_BLUR_SAMPLES, KEY_CAMERA_ONLY, KEY_CLOCK,
-	KEY_CROP, KEY_DRY_RUN, KEY_ERROR_LAYER, KEY_INDIRECT, KEY_INDIRECT_SAMPLES, KEY_LENIENT, KEY_LIMIT,
-	KEY_LIST_ACCELS, KEY_MEMORY, KEY_PRINT_COMPLETION, KEY_PROGRESS, KEY_RANGE, KEY_SEED,
+	KEY_CROP, KEY_DRY_RUN, KEY_ERROR_LAYER, KEY_INDIRECT, KEY_INDIRECT_ERROR, KEY_INDIRECT_SAMPLES,
+	KEY_LENIENT, KEY_LIMIT, KEY_LIST_ACCELS, KEY_MEMORY, KEY_PRINT_COMPLETION, KEY_PROGRESS, KEY_RANGE, KEY_SEED,
 	KEY_SKIP_EXISTING, KEY_STATS, KEY_TEXTURE_FILTER, KEY_TILE, KEY_VERSION, KEY_WRITE
 };
 
@@ -48,6 +48,9 @@ static const struct option_spec alidade_option[] = {
 	  NULL },
 	{ "indirect-samples", KEY_INDIRECT_SAMPLES, OPTION_ARG, "N", COMPLETE_WORDS, "32 128 512 2048",
 	  "rays of indirect light a pixel, about; more make less noise; 512 is the default", NULL },
+	{ "indirect-error", KEY_INDIRECT_ERROR, OPTION_ARG, "X", COMPLETE_WORDS, "0.5 1 2 4",
+	  "with --indirect=cache: let light between places be off X times as far as by default; more is faster",
+	  NULL },
 	{ "error-layer", KEY_ERROR_LAYER, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
 	  "estimate the noise of indirect light: a layer Error in an .exr picture, and its mean in --stats",
 	  NULL },
@@ -507,6 +510,10 @@ static enum status set_option(void *arg, const struct option_spec *o, const char
 		return add_dir(s, value, d);
 	case 'D':
 		return add_define(s, o, value, d);
+	case KEY_INDIRECT_ERROR:
+		return option_real(value, 0.125, 16, &s->render.indirect_slack) ?
+			       STATUS_OK :
+			       wrong(d, o, value, "a number from 0.125 to 16");
 	case KEY_INDIRECT_SAMPLES:
 		return set_number(o, value, 1, INDIRECT_MAX, &s->render.indirect_samples, d);
 	case KEY_WRITE:

@@ -179,6 +179,8 @@ void settings_describe(const struct settings *s, char *out, size_t size)
 		n += snprintf(out + n, size - (size_t)n, " mip");
 	if (r->indirect_samples && n >= 0 && (size_t)n < size)
 		n += snprintf(out + n, size - (size_t)n, " indirect samples %u", r->indirect_samples);
+	if (r->indirect_slack > 0 && n >= 0 && (size_t)n < size)
+		n += snprintf(out + n, size - (size_t)n, " indirect error %g", r->indirect_slack);
 	if (r->error && n >= 0 && (size_t)n < size)
 		n += snprintf(out + n, size - (size_t)n, " error layer");
 	if (r->seed && n >= 0 && (size_t)n < size)

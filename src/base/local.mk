@@ -11,4 +11,5 @@ src_libalidade_la_SOURCES += \
 	src/base/pool.c src/base/pool.h \
 	src/base/rng.h \
 	src/base/sobol.c src/base/sobol.h \
-	src/base/vec.c src/base/vec.h
+	src/base/vec.c src/base/vec.h \
+	src/base/wide.h

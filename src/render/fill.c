@@ -10,9 +10,8 @@
 #include <stdatomic.h>
 #include <string.h>
 
-#define COARSEST 16 /* pixels between places */
-#define FINEST 2
-#define SIDE 8 /* places of a tile, a side */
+#define FINEST 2 /* pixels between places, without slack */
+#define SIDE 4 /* places of a tile, a side: they gather rays by the hundred */
 
 struct fill {
 	struct worker *worker;
@@ -75,14 +74,25 @@ static bool collect(struct cache *c, struct worker *w, uint32_t threads)
 	return good;
 }
 
+/* A power of two, at most n. */
+static uint32_t pixels(double n)
+{
+	uint32_t i = 1;
+
+	while (2 * i <= n)
+		i *= 2;
+	return i;
+}
+
 bool fill_cache(struct cache *c, struct shader *sh, struct worker *w, struct pool *pool)
 {
 	const struct render_options *o = w->options;
 	struct fill f = { .worker = w };
+	uint32_t first = pixels(sh->indirect.reach), last = pixels(FINEST * sh->indirect.slack);
 
 	sh->indirect.cache = c;
 	sh->indirect.filling = true;
-	for (f.step = COARSEST; f.step >= FINEST; f.step /= 2) {
+	for (f.step = first; f.step >= last; f.step /= 2) {
 		uint32_t side = SIDE * f.step, down = (o->height + side - 1) / side;
 
 		f.across = (o->width + side - 1) / side;

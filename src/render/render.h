@@ -34,6 +34,7 @@ struct render_options {
 	bool alpha; /* the background is transparent as far as its filter and transmit say */
 	enum indirect_method indirect; /* of scenes with a radiosity block */
 	uint32_t indirect_samples; /* rays gathered a pixel, 0: default */
+	double indirect_slack; /* of a cache: how much more than by default it may be off; 0: default, 1 */
 	bool error; /* estimate standard errors: three more channels */
 	uint64_t seed; /* other random numbers */
 	bool camera_only; /* no shading at all: camera rays and their hits, for counting and timing */

@@ -24,6 +24,7 @@
 #define AA_DEPTH_MAX 9 /* POV-Ray's own bound */
 #define INDIRECT_SAMPLES 512
 #define CACHE_SAMPLES 256 /* of a record */
+#define CACHE_REACH_PIXELS 64 /* of a record at most, without slack */
 #define LENS_RAYS 32 /* of a sample, at least */
 #define ERROR_SETS 16 /* replications a pixel that its error is estimated from */
 
@@ -238,6 +239,8 @@ static struct indirect indirect_options(const struct scene *scene, const struct 
 
 	if (o->indirect == INDIRECT_CACHE) {
 		in.samples = in.samples ? in.samples : CACHE_SAMPLES;
+		in.slack = o->indirect_slack > 0 ? o->indirect_slack : 1;
+		in.reach = CACHE_REACH_PIXELS * in.slack;
 		if (c->kind == CAMERA_ORTHOGRAPHIC)
 			in.pixel = vec_length(c->right) / o->width;
 		else
@@ -338,11 +341,11 @@ enum status render_scene(const struct scene *scene, const struct geometry *geome
 	if (st)
 		return st;
 	fill_defaults(&j.whole);
-	cache_init(&j.cache, book);
 	st = make_image(&j, book, d);
 	if (st)
 		return st;
 	j.indirect = indirect_options(scene, &j.whole);
+	cache_init(&j.cache, j.indirect.slack, book);
 	shader_init(&j.shader, scene, geometry, options->alpha, &j.indirect);
 	j.shader.footprints = options->texture_mip;
 	j.shader.soft_rounds = soft_rounds(scene, &j.whole);

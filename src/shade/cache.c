@@ -14,41 +14,51 @@
 #include <string.h>
 
 #include "base/rng.h"
+#include "base/wide.h"
 #include "shade/frame.h"
 
-#define NEAREST 0.5 /* a radius' share of the way to the nearest surface */
-#define CHANGE 0.5 /* the share of its light by which it may change */
-#define ANGLE 0.0603 /* 1 - cos 20 degrees */
+#define NEAREST 0.5 /* a radius' share of the way to the nearest surface, without slack */
+#define CHANGE 0.5 /* the share of its light by which it may change, without slack */
+#define ANGLE 0.0603 /* 1 - cos 20 degrees: the same */
 #define BEHIND 0.1 /* share of the radius that a place may lie behind a record's surface */
-#define CELLS 54 /* of the table for a record: twice as many as it can reach into */
+#define LEAST_BITS 6 /* of the table of cells: one record has room */
+#define LANES 4
 #define PI 3.14159265358979323846
 
 struct cache_cell {
 	uint64_t key; /* 0: free */
-	uint32_t first, count; /* of entry */
+	uint32_t first, count; /* its first block; how many records it has */
 };
 
-/* What a question needs of a record first: a line of memory. */
-struct probe {
-	vec p, n;
-	double radius;
-	uint32_t unused[2];
+/* What a question needs of LANES records first. Lanes not used are at no place. */
+struct block {
+	double p[3][LANES], n[3][LANES];
+	double shrink[LANES]; /* the radius to the power of -2 */
+	double behind[LANES];
+	uint32_t record[LANES];
 };
 
-void cache_init(struct cache *c, struct mem_book *book)
+/* The light of a record as a linear function: of what turns away from its normal and of the way from its place. The
+ * fourth lane is only there for the width. */
+struct slope {
+	double at[4], turn[3][4], move[3][4];
+};
+
+void cache_init(struct cache *c, double slack, struct mem_book *book)
 {
 	memset(c, 0, sizeof(*c));
 	c->book = book;
+	c->turn2 = 1 / fmin(1, ANGLE * slack * slack);
 	c->record.size = sizeof(struct cache_record);
-	c->entry.size = sizeof(uint32_t);
-	c->probe.size = sizeof(struct probe);
+	c->block.size = sizeof(struct block);
+	c->slope.size = sizeof(struct slope);
 }
 
 void cache_release(struct cache *c)
 {
 	buf_release(&c->record);
-	buf_release(&c->entry);
-	buf_release(&c->probe);
+	buf_release(&c->block);
+	buf_release(&c->slope);
 	mem_free(c->cell);
 	c->cell = NULL;
 }
@@ -58,7 +68,7 @@ static int level_of(double radius)
 	return ilogb(CACHE_REACH * radius) + 1; /* cells larger than what reaches into them */
 }
 
-static uint64_t cell_key(int level, int64_t x, int64_t y, int64_t z)
+LANED uint64_t cell_key(int level, int64_t x, int64_t y, int64_t z)
 {
 	uint64_t k = rng_mix((uint64_t)x * 0x9e3779b97f4a7c15u + (uint64_t)y * 0xd1b54a32d192ed03u +
 			     (uint64_t)z * 0xabc98388fb8fac03u + (uint64_t)level * 0x8cb92ba72f3d8dd7u);
@@ -66,9 +76,16 @@ static uint64_t cell_key(int level, int64_t x, int64_t y, int64_t z)
 	return k ? k : 1;
 }
 
-static int64_t cell_of(double x, double size)
+/* per: 1 / a cell's size, a power of two. Further than 2^53 of them from the origin all are one. */
+LANED int64_t cell_of(double x, double per)
 {
-	return (int64_t)floor(x / size);
+	double at = x * per;
+	int64_t i;
+
+	at = at < 0x1p53 ? at : 0x1p53;
+	at = at > -0x1p53 ? at : -0x1p53;
+	i = (int64_t)at;
+	return i - (at < (double)i);
 }
 
 static int by_key(const void *a, const void *b)
@@ -78,7 +95,7 @@ static int by_key(const void *a, const void *b)
 	return x->key < y->key ? -1 : x->key > y->key;
 }
 
-static struct cache_cell *find_cell(const struct cache *c, uint64_t key)
+LANED struct cache_cell *find_cell(const struct cache *c, uint64_t key)
 {
 	uint32_t mask = (1u << c->bits) - 1;
 
@@ -104,63 +121,136 @@ static void note_level(struct cache *c, int level)
 	c->level_count++;
 }
 
+/* A table of twice the size with the same cells. */
+static bool grow_table(struct cache *c)
+{
+	struct cache_cell *old = c->cell;
+	uint32_t n = old ? 1u << c->bits : 0;
+
+	if (c->bits >= 30)
+		return false;
+	c->bits = old ? c->bits + 1 : LEAST_BITS;
+	c->cell = mem_zalloc(c->book, "indirect", mem_product(1u << c->bits, sizeof(*c->cell)));
+	for (uint32_t i = 0; c->cell && i < n; i++) {
+		if (old[i].key)
+			*find_cell(c, old[i].key) = old[i];
+	}
+	mem_free(old);
+	return c->cell;
+}
+
+static void put(struct cache *c, const struct cache_cell *cell, uint32_t index)
+{
+	const struct cache_record *r = BUF_AT(&c->record, struct cache_record, index);
+	struct block *b = BUF_AT(&c->block, struct block, cell->first + cell->count / LANES);
+	uint32_t i = cell->count % LANES;
+
+	b->p[0][i] = r->p.x, b->p[1][i] = r->p.y, b->p[2][i] = r->p.z;
+	b->n[0][i] = r->n.x, b->n[1][i] = r->n.y, b->n[2][i] = r->n.z;
+	b->shrink[i] = 1 / (r->radius * r->radius);
+	b->behind[i] = -2 * BEHIND * r->radius;
+	b->record[i] = index;
+}
+
+/* How far x is from cell i of an axis. */
+static double beside(double x, int64_t i, double size)
+{
+	return fmax(0, fmax((double)i * size - x, x - (double)(i + 1) * size));
+}
+
 /* Go over the cells that a record reaches into: three a side at most. fill: it is put into them, where they
  * have room; otherwise it is only counted. */
-static void enter(struct cache *c, uint32_t index, bool fill)
+static bool enter(struct cache *c, uint32_t index, bool fill)
 {
 	const struct cache_record *r = BUF_AT(&c->record, struct cache_record, index);
 	int level = level_of(r->radius);
-	double size = ldexp(1, level), reach = CACHE_REACH * r->radius;
-	int64_t lo[] = { cell_of(r->p.x - reach, size), cell_of(r->p.y - reach, size),
-			 cell_of(r->p.z - reach, size) };
-	int64_t hi[] = { cell_of(r->p.x + reach, size), cell_of(r->p.y + reach, size),
-			 cell_of(r->p.z + reach, size) };
+	double size = ldexp(1, level), per = 1 / size, reach = CACHE_REACH * r->radius, d[3];
+	int64_t lo[] = { cell_of(r->p.x - reach, per), cell_of(r->p.y - reach, per),
+			 cell_of(r->p.z - reach, per) };
+	int64_t hi[] = { cell_of(r->p.x + reach, per), cell_of(r->p.y + reach, per),
+			 cell_of(r->p.z + reach, per) };
 
 	for (int64_t x = lo[0]; x <= hi[0]; x++) {
+		d[0] = beside(r->p.x, x, size);
 		for (int64_t y = lo[1]; y <= hi[1]; y++) {
+			d[1] = beside(r->p.y, y, size);
 			for (int64_t z = lo[2]; z <= hi[2]; z++) {
-				uint64_t key = cell_key(level, x, y, z);
-				struct cache_cell *cell = find_cell(c, key);
+				struct cache_cell *cell;
 
-				cell->key = key;
+				d[2] = beside(r->p.z, z, size);
+				if (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] > 1.0001 * reach * reach)
+					continue; /* past its corner */
+				cell = find_cell(c, cell_key(level, x, y, z));
+				if (!cell->key) {
+					cell->key = cell_key(level, x, y, z);
+					c->used++;
+				}
 				if (fill)
-					*BUF_AT(&c->entry, uint32_t, cell->first + cell->count) = index;
+					put(c, cell, index);
 				cell->count++;
 			}
 		}
 	}
+	/* Room for another one's cells. */
+	return c->used + 27 < (1u << c->bits) / 2 || grow_table(c);
+}
+
+static void lay_out(struct cache *c)
+{
+	uint32_t first = 0;
+
+	for (uint32_t i = 0; i < 1u << c->bits; i++) {
+		c->cell[i].first = first;
+		first += (c->cell[i].count + LANES - 1) / LANES;
+		c->cell[i].count = 0;
+	}
+	c->blocks = first;
+}
+
+static struct slope slope_of(const struct cache_record *r)
+{
+	struct slope s = { .at = { r->light.r, r->light.g, r->light.b } };
+
+	for (int i = 0; i < 3; i++) {
+		s.turn[0][i] = r->turn[i].x, s.turn[1][i] = r->turn[i].y, s.turn[2][i] = r->turn[i].z;
+		s.move[0][i] = r->move[i].x, s.move[1][i] = r->move[i].y, s.move[2][i] = r->move[i].z;
+	}
+	return s;
 }
 
 /* Counted, then laid out, then filled: cells have their records in order, without sorting. */
 static bool make_index(struct cache *c)
 {
-	uint32_t n = c->record.count, first = 0, cells;
+	uint32_t n = c->record.count;
 
-	for (c->bits = 6; c->bits < 31 && (1u << c->bits) / CELLS < n; c->bits++)
-		;
-	cells = 1u << c->bits;
 	mem_free(c->cell);
-	c->cell = mem_zalloc(c->book, "indirect", mem_product(cells, sizeof(*c->cell)));
-	c->probe.count = c->entry.count = 0;
-	if (!c->cell || !buf_reserve(&c->probe, c->book, "indirect", n))
+	c->cell = NULL;
+	c->block.count = c->slope.count = c->used = c->level_count = 0;
+	if (!grow_table(c) || !buf_reserve(&c->slope, c->book, "indirect", n))
 		return false;
-	c->level_count = 0;
 	for (uint32_t i = 0; i < n; i++) {
 		const struct cache_record *r = BUF_AT(&c->record, struct cache_record, i);
 
-		*BUF_AT(&c->probe, struct probe, i) = (struct probe){ .p = r->p, .n = r->n, .radius = r->radius };
+		*BUF_AT(&c->slope, struct slope, i) = slope_of(r);
 		note_level(c, level_of(r->radius));
-		enter(c, i, false);
+		if (!enter(c, i, false))
+			return false;
 	}
-	for (uint32_t i = 0; i < cells; i++) {
-		c->cell[i].first = first;
-		first += c->cell[i].count;
-		c->cell[i].count = 0;
-	}
-	if (!buf_reserve(&c->entry, c->book, "indirect", first))
+	for (uint32_t l = 0; l < c->level_count; l++)
+		c->per[l] = ldexp(1, -c->level[l]);
+	lay_out(c);
+	if (!buf_reserve(&c->block, c->book, "indirect", c->blocks))
 		return false;
-	for (uint32_t i = 0; i < n; i++)
-		enter(c, i, true);
+	for (uint32_t i = 0; i < c->blocks; i++) {
+		struct block *b = BUF_AT(&c->block, struct block, i);
+
+		for (uint32_t k = 0; k < LANES; k++)
+			b->p[0][k] = NAN;
+	}
+	for (uint32_t i = 0; i < n; i++) {
+		if (!enter(c, i, true))
+			return false;
+	}
 	return true;
 }
 
@@ -176,54 +266,80 @@ bool cache_add(struct cache *c, struct cache_record *r, uint32_t n)
 	return make_index(c);
 }
 
-/* 1 at the record, falling to 0 where it is no longer good. */
-static double weight(const struct probe *r, vec p, vec n, double reach)
-{
-	vec d = vec_sub(p, r->p);
-	double limit = r->radius * reach, far = vec_dot(d, d), turned = (1 - vec_dot(n, r->n)) / ANGLE, e;
+/* A place that light is asked for. */
+struct question {
+	double p[3], n[3];
+	double reach2, turn2; /* powers of -2 of how far it may be, in radii, and of how much turned */
+};
 
-	if (!(far < limit * limit) || !(turned < reach * reach) ||
-	    vec_dot(d, vec_add(n, r->n)) < -2 * BEHIND * r->radius)
-		return 0;
-	far = sqrt(far) / limit;
-	turned = turned > 0 ? sqrt(turned) / reach : 0;
-	e = far > turned ? far : turned;
-	return e < 1 ? 1 - e : 0;
+/* How far out of the reach of each record it is, squared: 1 at its end, and more where it is no good at all. */
+LANED void weigh(const struct block *b, const struct question *q, double out[LANES])
+{
+	for (int i = 0; i < LANES; i++) {
+		double x = q->p[0] - b->p[0][i], y = q->p[1] - b->p[1][i], z = q->p[2] - b->p[2][i];
+		double nx = b->n[0][i], ny = b->n[1][i], nz = b->n[2][i];
+		double far = (x * x + y * y + z * z) * b->shrink[i] * q->reach2;
+		double turned = (1 - (nx * q->n[0] + ny * q->n[1] + nz * q->n[2])) * q->turn2;
+		double above = x * (q->n[0] + nx) + y * (q->n[1] + ny) + z * (q->n[2] + nz);
+
+		far = turned > far ? turned : far; /* a NaN is kept */
+		out[i] = above < b->behind[i] ? 2 : far;
+	}
 }
 
-static struct rgb predicted(const struct cache_record *r, vec p, vec n)
+/* Add what a record foretells, w times. */
+LANED void foretell(const struct slope *s, const struct cache_record *r, const struct question *q, double w,
+		    double sum[4])
 {
-	vec d = vec_sub(p, r->p), axis = vec_cross(r->n, n);
-	double c[3] = { r->light.r, r->light.g, r->light.b };
+	double d[3] = { q->p[0] - r->p.x, q->p[1] - r->p.y, q->p[2] - r->p.z };
+	double a[3] = { r->n.y * q->n[2] - r->n.z * q->n[1], r->n.z * q->n[0] - r->n.x * q->n[2],
+			r->n.x * q->n[1] - r->n.y * q->n[0] };
 
-	for (int i = 0; i < 3; i++)
-		c[i] = fmax(0, c[i] + vec_dot(axis, r->turn[i]) + vec_dot(d, r->move[i]));
-	return rgb_make(c[0], c[1], c[2]);
+	for (int i = 0; i < 4; i++) {
+		double turn = a[0] * s->turn[0][i] + a[1] * s->turn[1][i] + a[2] * s->turn[2][i];
+		double move = d[0] * s->move[0][i] + d[1] * s->move[1][i] + d[2] * s->move[2][i];
+		double light = s->at[i] + turn + move;
+
+		sum[i] += (light > 0 ? light : 0) * w;
+	}
 }
 
-bool cache_find(const struct cache *c, vec p, vec n, double reach, struct rgb *light)
+LANED double ask_cell(const struct cache *c, const struct cache_cell *cell, const struct question *q, double sum[4])
 {
-	struct rgb sum = { 0, 0, 0 };
-	double weights = 0;
+	const struct block *b = BUF_AT(&c->block, struct block, cell->first);
+	double out[LANES], weights = 0;
 
-	for (uint32_t l = 0; c->cell && l < c->level_count; l++) {
-		double size = ldexp(1, c->level[l]);
-		const struct cache_cell *cell = find_cell(c, cell_key(c->level[l], cell_of(p.x, size),
-								      cell_of(p.y, size), cell_of(p.z, size)));
+	for (uint32_t first = 0; first < cell->count; first += LANES, b++) {
+		weigh(b, q, out);
+		for (uint32_t i = 0; i < LANES; i++) {
+			double w;
 
-		for (uint32_t i = 0; i < cell->count; i++) {
-			uint32_t r = *BUF_AT(&c->entry, uint32_t, cell->first + i);
-			double w = weight(BUF_AT(&c->probe, struct probe, r), p, n, reach);
-
-			if (w > 0) {
-				sum = rgb_add(sum, rgb_scale(predicted(BUF_AT(&c->record, struct cache_record, r),
-								       p, n), w));
-				weights += w;
-			}
+			if (!(out[i] < 1))
+				continue;
+			w = out[i] > 0 ? 1 - sqrt(out[i]) : 1;
+			foretell(BUF_AT(&c->slope, struct slope, b->record[i]),
+				 BUF_AT(&c->record, struct cache_record, b->record[i]), q, w, sum);
+			weights += w;
 		}
 	}
+	return weights;
+}
+
+WIDE bool cache_find(const struct cache *c, vec p, vec n, double reach, struct rgb *light)
+{
+	struct question q = { .p = { p.x, p.y, p.z }, .n = { n.x, n.y, n.z }, .reach2 = 1 / (reach * reach) };
+	double sum[4] = { 0, 0, 0, 0 }, weights = 0;
+
+	q.turn2 = q.reach2 * c->turn2;
+	for (uint32_t l = 0; c->cell && l < c->level_count; l++) {
+		double per = c->per[l];
+		const struct cache_cell *cell = find_cell(c, cell_key(c->level[l], cell_of(p.x, per),
+								      cell_of(p.y, per), cell_of(p.z, per)));
+
+		weights += ask_cell(c, cell, &q, sum);
+	}
 	if (weights > 0)
-		*light = rgb_scale(sum, 1 / weights);
+		*light = rgb_make(sum[0] / weights, sum[1] / weights, sum[2] / weights);
 	return weights > 0;
 }
 
@@ -288,11 +404,11 @@ static double steepness(const struct cache_record *r)
 	return sqrt(vec_dot(g, g));
 }
 
-void cache_make(struct cache_record *r, const struct cache_grid *g, const struct cache_ray *ray, double least,
-		double most)
+void cache_make(struct cache_record *r, const struct cache_grid *g, const struct cache_ray *ray,
+		const struct cache_limits *limits)
 {
 	uint32_t n = g->rows * g->columns;
-	double inverse = 0, nearest = HUGE_VAL, steep, keep;
+	double inverse = 0, nearest = HUGE_VAL, change = CHANGE * limits->slack, steep, keep;
 
 	r->light = rgb_make(0, 0, 0);
 	memset(r->turn, 0, sizeof(r->turn));
@@ -305,15 +421,15 @@ void cache_make(struct cache_record *r, const struct cache_grid *g, const struct
 	for (uint32_t k = 0; k < g->columns; k++)
 		add_column(r, g, k, ray);
 	steep = steepness(r);
-	r->radius = fmin(inverse > 0 ? 1 / inverse : most, NEAREST * nearest);
-	if (steep * r->radius > CHANGE * rgb_grey(r->light))
-		r->radius = CHANGE * rgb_grey(r->light) / steep;
+	r->radius = fmin(inverse > 0 ? 1 / inverse : limits->most, NEAREST * limits->slack * nearest);
+	if (steep * r->radius > change * rgb_grey(r->light))
+		r->radius = change * rgb_grey(r->light) / steep;
 	/* A gradient that is not trusted so far is made flatter. */
-	if (r->radius < least) {
-		keep = r->radius / least;
+	if (r->radius < limits->least) {
+		keep = r->radius / limits->least;
 		for (int i = 0; i < 3; i++)
 			r->move[i] = vec_scale(r->move[i], keep);
-		r->radius = least;
+		r->radius = limits->least;
 	}
-	r->radius = fmin(r->radius, most);
+	r->radius = fmin(r->radius, limits->most);
 }

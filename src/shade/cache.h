@@ -29,14 +29,17 @@ struct cache_record {
 
 struct cache {
 	struct mem_book *book;
-	struct buf record, probe, entry; /* probe: their places; entry: numbers of records, by cells */
+	double turn2; /* 1 over how much a normal may be turned, as 1 less its cosine */
+	struct buf record, block, slope; /* block: places by cells; slope: light as a function of the place */
 	struct cache_cell *cell; /* a hash table, 1 << bits of them; NULL: empty */
-	uint32_t bits;
+	uint32_t bits, used, blocks;
 	uint32_t level_count;
 	int level[64]; /* those that have cells, the finest first */
+	double per[64]; /* 1 / the size of their cells */
 };
 
-void cache_init(struct cache *, struct mem_book *);
+/* slack: how much more than by default, 1, light may be off between records. */
+void cache_init(struct cache *, double slack, struct mem_book *);
 void cache_release(struct cache *);
 /* Put n records in; they are sorted by key first. False: out of memory. */
 bool cache_add(struct cache *, struct cache_record *, uint32_t n);
@@ -58,9 +61,13 @@ struct cache_ray {
 	double distance;
 };
 
-/* Make a record of what its rays brought. p, n and key are set before. The radius is
- * kept within least and most. */
-void cache_make(struct cache_record *, const struct cache_grid *, const struct cache_ray *ray, double least,
-		double most);
+/* Of a record's radius; slack as above. */
+struct cache_limits {
+	double least, most, slack;
+};
+
+/* Make a record of what its rays brought. p, n and key are set before. */
+void cache_make(struct cache_record *, const struct cache_grid *, const struct cache_ray *ray,
+		const struct cache_limits *);
 
 #endif

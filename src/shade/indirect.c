@@ -23,7 +23,6 @@
 #define GATHER_SLOT 0x500000000u /* of a node's random numbers; two for each gather */
 #define TRIES 32
 #define LEAST_PIXELS 2 /* a record's radius */
-#define MOST_PIXELS 64
 #define PI 3.14159265358979323846
 
 static vec hemisphere(vec normal, double u, double v)
@@ -268,6 +267,7 @@ void indirect_record(const struct radiosity *r, const struct indirect *in, struc
 {
 	const struct gather *g = BUF_AT(&t->gather, struct gather, n->first_gather + slot);
 	struct cache_grid grid = cache_grid(in->samples);
+	struct cache_limits limits = { LEAST_PIXELS * g->pixel, in->reach * g->pixel, in->slack };
 	struct cache_record *record;
 	struct cache_ray *ray;
 	uint32_t i;
@@ -287,5 +287,5 @@ void indirect_record(const struct radiosity *r, const struct indirect *in, struc
 	record->p = g->p;
 	record->n = g->normal;
 	record->key = rng_child(n->key, slot);
-	cache_make(record, &grid, ray, LEAST_PIXELS * g->pixel, MOST_PIXELS * g->pixel);
+	cache_make(record, &grid, ray, &limits);
 }

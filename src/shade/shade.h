@@ -22,6 +22,8 @@ struct indirect {
 	uint32_t replications; /* in so many independent sets, at least 1 */
 	const struct cache *cache; /* INDIRECT_CACHE; it is not written while pictures are made */
 	bool filling; /* what the cache cannot answer becomes a record */
+	double slack; /* of the cache: see cache_init() */
+	double reach; /* of a record at most, in pixels */
 	double pixel, pixel_angle; /* width of a pixel at the camera, and how it grows with the way */
 };
 

@@ -3,6 +3,7 @@
 """Timing programs: interleaved runs, so that a busy moment falls on all alike, and medians."""
 import json
 import os
+import resource
 import statistics
 import subprocess
 import sys
@@ -19,6 +20,14 @@ def run(command, cwd=None):
     if done.returncode != 0:
         sys.exit('%s: exit status %d\n%s' % (' '.join(command), done.returncode, text[-2000:]))
     return seconds, text
+
+
+def timed(command, cwd=None):
+    """Seconds from start to end, and those that processors were busy."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds, _ = run(command, cwd)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return seconds, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
 def alidade(arguments, folder):

@@ -6,6 +6,7 @@
 #
 #	run.sh lecture [--runs N]              what the lecture counted, see lecture.py
 #	run.sh povray [--runs N] [--threads N] against POV-Ray, see povray.py
+#	run.sh indirect [--runs N] [--threads N] [--exact]  indirect light at POV-Ray's own error, see indirect.py
 set -u
 : "${ALIDADE_SRC:=$(cd "$(dirname "$0")/../.." && pwd)}"
 : "${ALIDADE_BUILD:=$ALIDADE_SRC/build}"
@@ -14,20 +15,28 @@ set -u
 export ALIDADE ALIDADE_SRC ALIDADE_BUILD ALIDADE_ACCEL_PATH PYTHONDONTWRITEBYTECODE=1
 which=${1:-both}
 [ $# -eq 0 ] || shift
+python=python3
 case $which in
 lecture) ;;
-povray | both)
+povray | both | indirect)
 	command -v povray >/dev/null || {
 		echo "bench: povray is not installed; ./dev deps installs it" >&2
 		exit 1
 	}
+	scene=landscape
+	[ "$which" != indirect ] || scene=radiosity
 	mkdir -p "$ALIDADE_BUILD/scenes"
-	sh "$ALIDADE_SRC/scenes/export.sh" --missing --into "$ALIDADE_BUILD/scenes" landscape || exit 1
+	sh "$ALIDADE_SRC/scenes/export.sh" --missing --into "$ALIDADE_BUILD/scenes" $scene || exit 1
 	;;
 *)
-	echo "Usage: ./dev bench [lecture|povray] [--runs N] [--threads N]" >&2
+	echo "Usage: ./dev bench [lecture|povray|indirect] [--runs N] [--threads N]" >&2
 	exit 2
 	;;
 esac
+if [ "$which" = indirect ]; then
+	# Debian's own python3 has numpy, whatever comes first in the path.
+	python3 -c 'import numpy' 2>/dev/null || python=/usr/bin/python3
+	exec $python "$ALIDADE_SRC/tests/bench/indirect.py" "$@"
+fi
 [ "$which" = povray ] || python3 "$ALIDADE_SRC/tests/bench/lecture.py" "$@" || exit
 [ "$which" = lecture ] || exec python3 "$ALIDADE_SRC/tests/bench/povray.py" "$@"

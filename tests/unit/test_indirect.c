@@ -85,7 +85,7 @@ static void gradients_are_the_slopes(void **state)
 			t = HUGE_VAL;
 		ray[i] = (struct cache_ray){ { isfinite(t), isfinite(t), 0 }, t };
 	}
-	cache_make(&r, &g, ray, 1e-3, 100);
+	cache_make(&r, &g, ray, &(struct cache_limits){ 1e-3, 100, 1 });
 	CLOSE(r.light.r, wall(0), 0.003);
 	CLOSE(r.light.b, 0, 1e-12);
 	CLOSE(r.move[0].x, slope, 0.03 * slope);
@@ -117,7 +117,7 @@ static void turning_is_foreseen(void **state)
 		turned += c / (g.rows * g.columns);
 		mean += ray[i].light.r / (g.rows * g.columns);
 	}
-	cache_make(&r, &g, ray, 1e-3, 100);
+	cache_make(&r, &g, ray, &(struct cache_limits){ 1e-3, 100, 1 });
 	CLOSE(r.light.r, mean, 1e-12);
 	CLOSE(r.light.r + vec_dot(vec_cross(r.n, n), r.turn[0]), turned, 0.1 * fabs(turned - mean));
 }
@@ -136,7 +136,7 @@ static void answers_are_near(void **state)
 
 	(void)state;
 	mem_book_init(&book, 0);
-	cache_init(&c, &book);
+	cache_init(&c, 1, &book);
 	assert_false(cache_find(&c, vec_make(0, 0, 0), up, 1, &light));
 	assert_true(cache_add(&c, r, 2));
 	assert_int_equal(BUF_AT(&c.record, struct cache_record, 0)->key, 1);
@@ -151,12 +151,88 @@ static void answers_are_near(void **state)
 	assert_int_equal(book.now, 0);
 }
 
+/* The same by going through all records. */
+static double ask_all(const struct cache_record *r, uint32_t n, vec p, vec normal, struct rgb *light)
+{
+	double weights = 0;
+
+	*light = rgb_make(0, 0, 0);
+	for (uint32_t i = 0; i < n; i++) {
+		vec d = vec_sub(p, r[i].p);
+		double far = vec_length(d) / r[i].radius;
+		double turned = sqrt(fmax(0, 1 - vec_dot(normal, r[i].n)) / 0.0603);
+		double w = (1 - fmax(far, turned) / CACHE_REACH) *
+			   (vec_dot(d, vec_add(normal, r[i].n)) >= -0.2 * r[i].radius);
+		double red = r[i].light.r + vec_dot(vec_cross(r[i].n, normal), r[i].turn[0]) +
+			     vec_dot(d, r[i].move[0]);
+
+		if (!(w > 0))
+			continue;
+		light->r += w * fmax(0, red);
+		light->g += w * r[i].light.g;
+		weights += w;
+	}
+	*light = rgb_scale(*light, 1 / weights);
+	return weights;
+}
+
+static double chance(uint64_t i)
+{
+	return 2 * rng_unit(rng_mix(i)) - 1;
+}
+
+/* However many cells and levels there are. */
+static void no_record_is_lost(void **state)
+{
+	enum { RECORDS = 3000, PLACES = 5000 };
+	static struct cache_record r[RECORDS];
+	struct mem_book book;
+	struct cache c;
+	uint32_t answered = 0;
+
+	(void)state;
+	for (uint32_t i = 0; i < RECORDS; i++) {
+		uint64_t k = 16 * (uint64_t)i;
+
+		r[i] = (struct cache_record){ .p = { 4 * chance(k), 4 * chance(k + 1), 0.05 * chance(k + 2) },
+					      .n = vec_unit(vec_make(0.1 * chance(k + 3), 0.1 * chance(k + 4), 1)),
+					      .light = { 1 + chance(k + 5), 1 + chance(k + 6), 0 },
+					      .turn[0] = { chance(k + 7), chance(k + 8), 0 },
+					      .move[0] = { 3 * chance(k + 9), 0, chance(k + 10) },
+					      .radius = 0.005 * exp(4 * (1 + chance(k + 11)) / 2),
+					      .key = i };
+	}
+	mem_book_init(&book, 0);
+	cache_init(&c, 1, &book);
+	assert_true(cache_add(&c, r, RECORDS / 2));
+	assert_true(cache_add(&c, r + RECORDS / 2, RECORDS / 2));
+	for (uint32_t i = 0; i < PLACES; i++) {
+		uint64_t k = ((uint64_t)i << 32) + 1;
+		vec p = { 4 * chance(k), 4 * chance(k + 1), 0.05 * chance(k + 2) };
+		vec n = vec_unit(vec_make(0.2 * chance(k + 3), 0.2 * chance(k + 4), 1));
+		struct rgb want, got;
+		double weights = ask_all(r, RECORDS, p, n, &want);
+
+		if (weights > 0 && weights < 1e-9)
+			continue; /* at a border: rounding decides */
+		assert_int_equal(cache_find(&c, p, n, CACHE_REACH, &got), weights > 0);
+		answered += weights > 0;
+		if (weights > 0) {
+			CLOSE(got.r, want.r, 1e-9);
+			CLOSE(got.g, want.g, 1e-9);
+		}
+	}
+	assert_in_range(answered, PLACES / 4, PLACES);
+	cache_release(&c);
+	assert_int_equal(book.now, 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(frames_are_frames),	    cmocka_unit_test(directions_have_the_cosine),
 		cmocka_unit_test(gradients_are_the_slopes), cmocka_unit_test(turning_is_foreseen),
-		cmocka_unit_test(answers_are_near),
+		cmocka_unit_test(answers_are_near),	    cmocka_unit_test(no_record_is_lost),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

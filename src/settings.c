@@ -49,7 +49,7 @@ static const struct option_spec alidade_option[] = {
 	{ "indirect-samples", KEY_INDIRECT_SAMPLES, OPTION_ARG, "N", COMPLETE_WORDS, "32 128 512 2048",
 	  "rays of indirect light a pixel, about; more make less noise; 512 is the default", NULL },
 	{ "indirect-error", KEY_INDIRECT_ERROR, OPTION_ARG, "X", COMPLETE_WORDS, "0.5 1 2 4",
-	  "with --indirect=cache: let light between places be off X times as far as by default; more is faster",
+	  "with a cache: let light between its places be off X times as far as by default; more is faster",
 	  NULL },
 	{ "error-layer", KEY_ERROR_LAYER, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
 	  "estimate the noise of indirect light: a layer Error in an .exr picture, and its mean in --stats",

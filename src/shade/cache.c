@@ -245,7 +245,7 @@ static bool make_index(struct cache *c)
 		struct block *b = BUF_AT(&c->block, struct block, i);
 
 		for (uint32_t k = 0; k < LANES; k++)
-			b->p[0][k] = NAN;
+			b->p[0][k] = (double)NAN;
 	}
 	for (uint32_t i = 0; i < n; i++) {
 		if (!enter(c, i, true))

@@ -3,7 +3,8 @@
  *
  * Functions compiled once more for wider instruction sets; the best is taken when the program starts. As nothing is
  * contracted or reordered (-ffp-contract=off), all copies give the same bits. Loops over lanes have to be
- * plain and of a constant length, and what such a function calls has to be inlined into it (LANED).
+ * plain and of a constant length, and what such a function calls has to be inlined into it (LANED). It has to be
+ * static: clang gives others names that its callers do not know.
  */
 #ifndef ALIDADE_BASE_WIDE_H
 #define ALIDADE_BASE_WIDE_H

@@ -325,7 +325,7 @@ LANED double ask_cell(const struct cache *c, const struct cache_cell *cell, cons
 	return weights;
 }
 
-WIDE bool cache_find(const struct cache *c, vec p, vec n, double reach, struct rgb *light)
+WIDE static bool find(const struct cache *c, vec p, vec n, double reach, struct rgb *light)
 {
 	struct question q = { .p = { p.x, p.y, p.z }, .n = { n.x, n.y, n.z }, .reach2 = 1 / (reach * reach) };
 	double sum[4] = { 0, 0, 0, 0 }, weights = 0;
@@ -341,6 +341,11 @@ WIDE bool cache_find(const struct cache *c, vec p, vec n, double reach, struct r
 	if (weights > 0)
 		*light = rgb_make(sum[0] / weights, sum[1] / weights, sum[2] / weights);
 	return weights > 0;
+}
+
+bool cache_find(const struct cache *c, vec p, vec n, double reach, struct rgb *light)
+{
+	return find(c, p, n, reach, light);
 }
 
 struct cache_grid cache_grid(uint32_t samples)

@@ -139,6 +139,7 @@ static void leaf_surface(const struct scene *sc, const struct prim_leaf *f, stru
 	s->interior = f->interior;
 	s->object = f->solid;
 	s->flags = f->flags;
+	s->light_set = sc->object[f->object].light_set;
 	s->bary[0] = 1;
 	s->bary[1] = s->bary[2] = 0;
 	s->blend = 3;

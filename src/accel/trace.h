@@ -51,6 +51,7 @@ struct surface {
 	uint32_t object; /* the leaf object as a volume: equal for all surfaces of one solid; leaves are
 			    numbered from 0 in the order of the file */
 	unsigned flags; /* enum object_flag */
+	uint32_t light_set; /* as an object's */
 	bool planar; /* next rays may skip this primitive by id */
 	bool anew; /* what lies behind depends on a ray starting here: those that go through start anew */
 	double error; /* what surface_error() returns */

@@ -151,6 +151,7 @@ static void follow_batch(struct worker *w, uint32_t first, uint32_t n, uint32_t 
 
 		count_rays(w, node, met);
 		node->length = met ? hit[i].t : HUGE_VAL;
+		node->light_set = SCENE_NONE;
 		if (!met)
 			shade_sky(w->shader, node);
 		else if (w->options->camera_only)

@@ -116,6 +116,7 @@ static void dump_light(const struct light *l, uint32_t i, unsigned what, FILE *t
 		put_word(to, "fade_distance", l->fade_distance);
 		put_word(to, "fade_power", l->fade_power);
 	}
+	put_index(to, "group", l->group);
 	end_line(to, what, &l->pos);
 }
 
@@ -278,6 +279,7 @@ static void dump_object(const struct object *o, uint32_t i, unsigned what, FILE 
 	put_index(to, "texture", o->texture);
 	put_index(to, "interior_texture", o->interior_texture);
 	put_index(to, "interior", o->interior);
+	put_index(to, "light_set", o->light_set);
 	put_index(to, "first_child", o->first_child);
 	put_index(to, "first_clip", o->first_clip);
 	put_index(to, "next", o->next_sibling);
@@ -327,6 +329,9 @@ void scene_dump(const struct scene *s, unsigned what, FILE *to)
 		dump_fog(&s->fog[i], i, to);
 	for (uint32_t i = 0; i < s->light_count; i++)
 		dump_light(&s->light[i], i, what, to);
+	for (uint32_t i = 0; i < s->light_set_count; i++)
+		fprintf(to, "light_set %u group %u%s\n", i, s->light_set[i].group,
+			s->light_set[i].global ? " global_lights" : "");
 	dump_textures(s, to);
 	for (uint32_t i = 0; i < s->interior_count; i++)
 		dump_interior(&s->interior[i], i, to);

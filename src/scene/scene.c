@@ -55,6 +55,7 @@ void scene_release(struct scene *s)
 	mem_free(s->picture);
 	mem_free(s->fog);
 	mem_free(s->light);
+	mem_free(s->light_set);
 	mem_free(s->texture);
 	mem_free(s->pattern);
 	mem_free(s->map);
@@ -102,6 +103,17 @@ uint32_t scene_add_light(struct scene *s)
 	uint32_t i = grow(s, &p, &s->light_count, &s->light_room, sizeof(*s->light));
 
 	s->light = p;
+	if (i != SCENE_NONE)
+		s->light[i].group = SCENE_NONE;
+	return i;
+}
+
+uint32_t scene_add_light_set(struct scene *s)
+{
+	void *p = s->light_set;
+	uint32_t i = grow(s, &p, &s->light_set_count, &s->light_set_room, sizeof(*s->light_set));
+
+	s->light_set = p;
 	return i;
 }
 
@@ -232,7 +244,7 @@ uint32_t scene_add_object(struct scene *s)
 		return i;
 	o = &s->object[i];
 	o->place = xform_identity;
-	o->texture = o->interior_texture = o->interior = o->solid = SCENE_NONE;
+	o->texture = o->interior_texture = o->interior = o->solid = o->light_set = SCENE_NONE;
 	o->first_child = o->next_sibling = o->first_clip = SCENE_NONE;
 	return i;
 }
@@ -288,6 +300,7 @@ static uint64_t hash_object(uint64_t h, const struct object *o)
 	h = HASH(h, o->interior);
 	h = HASH(h, o->solid);
 	h = HASH(h, o->flags);
+	h = HASH(h, o->light_set);
 	h = HASH(h, o->first_child);
 	h = HASH(h, o->next_sibling);
 	h = HASH(h, o->first_clip);
@@ -322,6 +335,7 @@ static uint64_t hash_fog(uint64_t h, const struct fog *f)
 static uint64_t hash_light(uint64_t h, const struct light *l)
 {
 	h = HASH(h, l->kind);
+	h = HASH(h, l->group);
 	h = HASH(h, l->no_media);
 	h = HASH(h, l->attenuated);
 	h = hash_bytes(h, &l->parallel, 7); /* the flags stand together */
@@ -449,6 +463,10 @@ uint64_t scene_hash(const struct scene *s)
 		h = hash_fog(h, &s->fog[i]);
 	for (uint32_t i = 0; i < s->light_count; i++)
 		h = hash_light(h, &s->light[i]);
+	for (uint32_t i = 0; i < s->light_set_count; i++) {
+		h = HASH(h, s->light_set[i].group);
+		h = HASH(h, s->light_set[i].global);
+	}
 	h = hash_textures(h, s);
 	for (uint32_t i = 0; i < s->interior_count; i++)
 		h = hash_interior(h, &s->interior[i]);

@@ -73,7 +73,14 @@ struct light {
 	double radius, falloff; /* spot: degrees; cylinder: units */
 	double tightness;
 	double fade_distance, fade_power; /* no fading unless both are > 0 */
+	uint32_t group; /* of light_group; SCENE_NONE: it shines on all that is in no group */
 	struct diag_pos pos;
+};
+
+/* What things in a light_group are lit by. */
+struct light_set {
+	uint32_t group; /* its lights */
+	bool global; /* and those in no group */
 };
 #define LIGHT_NOT_ADAPTIVE UINT32_MAX
 
@@ -186,6 +193,7 @@ struct object {
 	uint32_t solid; /* leaves of an equal number are one solid for refraction: POV-Ray tells solids
 			   apart by their interiors, and a union's is shared; SCENE_NONE: by itself */
 	unsigned flags; /* enum object_flag; a parent's are added */
+	uint32_t light_set; /* SCENE_NONE: lit by the lights in no group. Leaves only */
 	uint32_t first_child, next_sibling; /* unions and the like; SCENE_NONE ends */
 	uint32_t first_clip; /* clipped_by: chained siblings, in the parent's coordinates; only what lies in
 				all of them is there */
@@ -278,6 +286,8 @@ struct scene {
 	struct fog *fog;
 	uint32_t light_count, light_room;
 	struct light *light;
+	uint32_t light_set_count, light_set_room;
+	struct light_set *light_set;
 	bool wants_uv; /* some texture is asked at (u, v, 0) */
 	uint32_t texture_count, texture_room;
 	struct texture *texture; /* layers are in the arena */
@@ -312,6 +322,7 @@ void scene_release(struct scene *);
  * index, or SCENE_NONE when out of memory. Pointers into the array change. */
 uint32_t scene_add_fog(struct scene *);
 uint32_t scene_add_light(struct scene *);
+uint32_t scene_add_light_set(struct scene *);
 uint32_t scene_add_texture(struct scene *, uint32_t layers);
 uint32_t scene_add_interior(struct scene *);
 uint32_t scene_add_mesh(struct scene *);
@@ -324,6 +335,14 @@ uint32_t scene_add_pattern(struct scene *, struct pattern *);
 uint32_t scene_add_map(struct scene *, const struct map *); /* NULL: no memory */
 /* Put object o at the end of the roots. */
 void scene_add_root(struct scene *, uint32_t o);
+
+/* Does a light shine on things with this light_set? */
+static inline bool scene_lit_by(const struct scene *s, const struct light *l, uint32_t set)
+{
+	if (set == SCENE_NONE)
+		return l->group == SCENE_NONE;
+	return l->group == SCENE_NONE ? s->light_set[set].global : l->group == s->light_set[set].group;
+}
 
 /* 64 bits over everything that decides the picture (not names and places). */
 uint64_t scene_hash(const struct scene *);

@@ -32,6 +32,7 @@ struct node {
 	uint32_t path; /* then: which of the rays that were sent from the first of them */
 	uint32_t inside; /* what it is inside of, an index of tree.inside, or TREE_NONE */
 	uint32_t skip; /* the planar primitive it starts on */
+	uint32_t light_set; /* of what it hit, SCENE_NONE if nothing; known once it is traced */
 	enum node_kind kind;
 	bool straight; /* went on through a surface without bending: not counted as a level */
 	bool mirrored; /* it or a ray before it was reflected: sees as mirrors do, also through glass */
@@ -129,7 +130,7 @@ struct met {
 	double error; /* see surface_error() */
 	double t;
 	uint32_t skip; /* its primitive, if planar */
-	uint32_t object, interior;
+	uint32_t object, interior, light_set;
 	unsigned flags;
 	uint32_t first_part, part_count;
 	uint32_t first_layer, layer_count; /* over all its parts */

@@ -65,6 +65,8 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/lathes.pov \
 	tests/features/layers.pov \
 	tests/features/legacy-layers.pov \
+	tests/features/light-groups-media.pov \
+	tests/features/light-groups.pov \
 	tests/features/looks-like.pov \
 	tests/features/material-map.pov \
 	tests/features/mesh-clear-inside.pov \
@@ -174,6 +176,8 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/lathes.exr \
 	tests/features/layers.exr \
 	tests/features/legacy-layers.exr \
+	tests/features/light-groups-media.exr \
+	tests/features/light-groups.exr \
 	tests/features/looks-like.exr \
 	tests/features/material-map.exr \
 	tests/features/mesh-clear-inside.exr \

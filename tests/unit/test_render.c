@@ -62,7 +62,8 @@ static void add_lamp(struct scene *s, vec at, bool area)
 {
 	uint32_t l = scene_add_light(s);
 
-	s->light[l] = (struct light){ .location = at, .colour = { 0.8, 0.7, 0.6 }, .area = area, .size1 = 5,
+	s->light[l] = (struct light){ .location = at, .colour = { 0.8, 0.7, 0.6 }, .group = SCENE_NONE,
+				      .area = area, .size1 = 5,
 			     .size2 = 5, .axis1 = { 1, 0, 0 }, .axis2 = { 0, 0, 1 }, .adaptive = 1,
 			     .jitter = area };
 }

@@ -295,8 +295,13 @@ static void *read_declared(struct pov *p, enum pov_item_kind *kind)
 			return read_known(p, k);
 		}
 		*kind = ITEM_OBJECT;
-		if (pov_starts_object(p))
-			return pov_read_object(p);
+		if (pov_starts_object(p)) {
+			struct pov_object *o = pov_read_object(p);
+
+			if (o)
+				o->declared = true;
+			return o;
+		}
 		pov_fail(p, "%s cannot be declared", pov_text(p));
 		return NULL;
 	}

@@ -114,6 +114,10 @@ struct pov_object { /* ITEM_OBJECT */
 	struct xform texture_place, interior_texture_place; /* transforms that came after them */
 	struct pov_interior *interior;
 	struct xform interior_place; /* transforms that came after it */
+	bool group; /* a light_group */
+	bool global_lights; /* its things are lit by the lights in no group too */
+	bool lamp; /* a light and what it looks like */
+	bool declared; /* it was given a name, or was made from such a thing */
 	bool uv; /* uv_mapping: all its textures are asked at (u, v, 0) */
 	unsigned given; /* enum object_flag: those that were given, on or off */
 	struct pov_lack lack;

@@ -246,7 +246,10 @@ static struct pov_object *beside(struct pov *p, struct pov_object *light, struct
 {
 	struct pov_object *both = pov_object_new(p, SHAPE_UNION, &light->object.pos);
 
-	return both && pov_object_add(p, both, light) && pov_object_add(p, both, like) ? both : NULL;
+	if (!both || !pov_object_add(p, both, light) || !pov_object_add(p, both, like))
+		return NULL;
+	both->lamp = true;
+	return both;
 }
 
 struct pov_object *pov_read_light(struct pov *p)

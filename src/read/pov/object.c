@@ -171,7 +171,6 @@ static const struct shape_word {
 	{ TOK_HEIGHT_FIELD, SHAPE_UNION, NULL },
 	{ TOK_ISOSURFACE, SHAPE_UNION, NULL },
 	{ TOK_JULIA_FRACTAL, SHAPE_UNION, NULL },
-	{ TOK_LIGHT_GROUP, SHAPE_UNION, NULL },
 	{ TOK_OVUS, SHAPE_UNION, NULL },
 	{ TOK_PARAMETRIC, SHAPE_UNION, NULL },
 	{ TOK_POLY, SHAPE_UNION, NULL },
@@ -208,6 +207,7 @@ bool pov_starts_object(struct pov *p)
 	case TOK_TRIANGLE:
 	case TOK_SMOOTH_TRIANGLE:
 	case TOK_LIGHT_SOURCE:
+	case TOK_LIGHT_GROUP:
 		return true;
 	case TOK_IDENT:
 		return pov_ident_kind(p) == ITEM_OBJECT;
@@ -514,6 +514,23 @@ static struct pov_object *read_body(struct pov *p, struct pov_object *o, enum po
 	}
 }
 
+/* A union with lights of its own. POV-Ray lets it have no other modifiers. */
+static struct pov_object *read_group(struct pov *p, struct diag_pos at)
+{
+	struct pov_object *o = pov_object_new(p, SHAPE_UNION, &at);
+
+	if (!o || !pov_open(p) || !read_children(p, o, TOK_UNION))
+		return NULL;
+	o->group = true;
+	while (!pov_failed(p)) {
+		if (pov_accept(p, TOK_GLOBAL_LIGHTS))
+			o->global_lights = pov_bool(p, true);
+		else if (!read_transform(p, o) && (pov_token(p) != TOK_PHOTONS || !read_ignored(p, o)))
+			break;
+	}
+	return pov_close(p, "light_group") ? o : NULL;
+}
+
 /* Objects in an object are copied before they are changed: others may use the same one. */
 static struct pov_object *read_block(struct pov *p, enum pov_token_kind t, struct diag_pos at)
 {
@@ -547,5 +564,7 @@ struct pov_object *pov_read_object(struct pov *p)
 		return pov_take(p, ITEM_OBJECT);
 	if (t == TOK_LIGHT_SOURCE)
 		return pov_read_light(p);
+	if (t == TOK_LIGHT_GROUP)
+		return read_group(p, at);
 	return read_block(p, t, at);
 }

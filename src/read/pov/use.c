@@ -26,6 +26,9 @@ struct context {
 	struct xform place; /* to the scene */
 	uint32_t solid; /* the union that gave the interior, or SCENE_NONE */
 	bool cut; /* only its inside counts */
+	uint32_t group; /* of lights that stand here themselves */
+	uint32_t light_set; /* of all else */
+	bool declared; /* something around has a name */
 };
 
 static bool use_object(struct pov *, struct pov_object *, const struct context *, uint32_t *index);
@@ -43,7 +46,7 @@ static bool count_objects(struct pov *p, const struct pov_object *o)
 	return false;
 }
 
-static bool use_light(struct pov *p, const struct pov_object *o, const struct mat *place)
+static bool use_light(struct pov *p, const struct pov_object *o, const struct mat *place, uint32_t group)
 {
 	uint32_t i = scene_add_light(pov_scene(p));
 	struct light *l;
@@ -53,6 +56,7 @@ static bool use_light(struct pov *p, const struct pov_object *o, const struct ma
 		return pov_no_memory(p);
 	l = &pov_scene(p)->light[i];
 	*l = *o->light;
+	l->group = group;
 	if (mat_is_identity(place))
 		return true;
 	at = mat_point(place, l->location);
@@ -221,6 +225,7 @@ static bool use_look(struct pov *p, struct pov_object *o, const struct context *
 	out->texture_place = use_place(p, out->texture, place);
 	out->interior_texture_place = use_place(p, out->interior_texture, &c->interior_texture_place);
 	out->flags |= c->flags | c->hollow | c->double_illuminate;
+	out->light_set = c->light_set;
 	out->interior = use_interior(p, c->interior, c->hollow, &c->interior_place);
 	return !pov_failed(p);
 }
@@ -253,6 +258,48 @@ static void enter(struct pov_object *o, const struct context *c, struct context 
 		inner->double_illuminate = own & OBJECT_DOUBLE_ILLUMINATE;
 	}
 	inner->place = xform_mul(&o->object.place, &c->place);
+	inner->declared |= o->declared;
+	inner->group = o->lamp ? c->group : SCENE_NONE;
+}
+
+static uint32_t add_light_set(struct pov *p, uint32_t group, bool global)
+{
+	uint32_t i = scene_add_light_set(pov_scene(p));
+
+	if (i == SCENE_NONE) {
+		pov_no_memory(p);
+		return i;
+	}
+	pov_scene(p)->light_set[i] = (struct light_set){ group == SCENE_NONE ? i : group, global };
+	return i;
+}
+
+/*
+ * Lights of a light_group shine on all that is in it, but not on what is in a group within. Of groups in groups
+ * the outermost says whether the lights in no group do. Only lights that stand directly in a group are its own:
+ * those in a union there are in no group. What a group's lamp looks like is lit by the lights in no group as
+ * well. All this is measured; what POV-Ray does with groups in groups that it copies depends on how deep they
+ * are.
+ */
+static bool enter_group(struct pov *p, const struct pov_object *o, const struct context *c,
+			struct context *inner)
+{
+	const char *const within = "a light_group in another, used by name,";
+	bool global = o->global_lights;
+
+	if (o->lamp && c->group != SCENE_NONE) {
+		inner->light_set = add_light_set(p, c->group, true);
+		return inner->light_set != SCENE_NONE;
+	}
+	if (!o->group)
+		return true;
+	if (c->light_set != SCENE_NONE) {
+		global = pov_scene(p)->light_set[c->light_set].global;
+		if (inner->declared && !pov_unsupported(p, &o->object.pos, within, "write it where it is used"))
+			return false;
+	}
+	inner->group = inner->light_set = add_light_set(p, SCENE_NONE, global);
+	return inner->group != SCENE_NONE;
 }
 
 static bool use_children(struct pov *p, struct pov_object *o, const struct context *inner,
@@ -284,7 +331,8 @@ static bool use_clips(struct pov *p, struct pov_object *o, const struct context 
 	for (struct pov_child *clip = o->clip; clip; clip = clip->next) {
 		struct xform undo = { clip->before.inv, clip->before.fwd };
 		struct xform since = xform_mul(&undo, &o->object.place);
-		struct context cut = { .place = xform_mul(&since, &c->place), .cut = true, .solid = SCENE_NONE };
+		struct context cut = { .place = xform_mul(&since, &c->place), .cut = true, .solid = SCENE_NONE,
+				       .group = SCENE_NONE, .light_set = SCENE_NONE };
 		uint32_t i, wrap;
 
 		cut.texture_place = cut.interior_texture_place = xform_identity;
@@ -337,7 +385,9 @@ static bool use_object(struct pov *p, struct pov_object *o, const struct context
 	}
 	enter(o, c, &inner);
 	if (o->light)
-		return use_light(p, o, &inner.place.fwd);
+		return use_light(p, o, &inner.place.fwd, c->group);
+	if (!enter_group(p, o, c, &inner))
+		return false;
 	if (o->mesh && !pov_scene(p)->mesh[o->mesh->index].triangle_count)
 		return true; /* all its triangles were without area */
 	*index = scene_add_object(pov_scene(p));
@@ -367,7 +417,9 @@ void pov_use_object(struct pov *p, struct pov_object *o)
 			     .texture_place = xform_identity,
 			     .interior_texture_place = xform_identity,
 			     .interior_place = xform_identity,
-			     .solid = SCENE_NONE };
+			     .solid = SCENE_NONE,
+			     .group = SCENE_NONE,
+			     .light_set = SCENE_NONE };
 	uint32_t index;
 
 	if (!o || pov_failed(p) || !count_objects(p, o))

@@ -412,10 +412,12 @@ static void fall_spread(const struct shader *sh, struct tree *t, const struct me
 void shade_light(const struct shader *sh, struct tree *t, uint32_t thread, struct shade_counts *counts)
 {
 	for (uint32_t i = 0; i < t->met.count; i++) {
-		if (!BUF_AT(&t->met, struct met, i)->layer_count)
-			continue;
-		for (uint32_t j = 0; j < sh->scene->light_count; j++)
-			ask_light(sh, t, i, j, true);
+		const struct met m = *BUF_AT(&t->met, struct met, i);
+
+		for (uint32_t j = 0; m.layer_count && j < sh->scene->light_count; j++) {
+			if (scene_lit_by(sh->scene, &sh->scene->light[j], m.light_set))
+				ask_light(sh, t, i, j, true);
+		}
 	}
 	lights_answer(sh, t, thread, counts);
 	if (t->no_memory)

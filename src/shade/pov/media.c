@@ -115,6 +115,8 @@ static struct span span_at(const struct tree *t, const struct segment *s, uint32
 /* The lights that reach the segment, and its lit and dark stretches. */
 static void find_spans(const struct shader *sh, struct tree *t, struct segment *s)
 {
+	/* As in POV-Ray, media are lit by the lights of what the ray meets behind them. */
+	uint32_t set = s->node == TREE_NONE ? SCENE_NONE : BUF_AT(&t->node, struct node, s->node)->light_set;
 	double at = 0;
 
 	s->first_reach = t->media.reach.count;
@@ -125,7 +127,7 @@ static void find_spans(const struct shader *sh, struct tree *t, struct segment *
 		struct reach r = { .light = i };
 		uint32_t k;
 
-		if (l->shadowless || l->no_media ||
+		if (l->shadowless || l->no_media || !scene_lit_by(sh->scene, l, set) ||
 		    !light_reach(l, s->org, s->dir, s->length, &r.from, &r.to))
 			continue;
 		k = tree_push(t, &t->media.reach, 1);

@@ -240,6 +240,7 @@ void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald
 			  .object = s.object,
 			  .interior = s.interior,
 			  .flags = s.flags,
+			  .light_set = s.light_set,
 			  .first_part = t->part.count,
 			  .first_layer = t->layer.count,
 			  .first_gather = t->gather.count };
@@ -258,6 +259,7 @@ void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald
 	m.part_count = t->part.count - m.first_part;
 	m.layer_count = t->layer.count - m.first_layer;
 	*BUF_AT(&t->met, struct met, index) = m;
+	BUF_AT(&t->node, struct node, node)->light_set = s.light_set;
 	BUF_AT(&t->node, struct node, node)->first_gather = m.first_gather;
 	BUF_AT(&t->node, struct node, node)->gather_count = t->gather.count - m.first_gather;
 	BUF_AT(&t->node, struct node, node)->first_part = m.first_part;

@@ -25,7 +25,7 @@
 #define LEAST_MAX 64
 #define MOST 1024
 #define HELD 16384 /* rays at a time */
-#define GOOD_ENOUGH 0.012 /* by that estimate; the RMSE that comes of it is about 0.001: measured */
+#define GOOD_ENOUGH 0.012 /* of a pixel, by that estimate; the RMSE that comes of it is about 0.001: measured */
 #define PI 3.14159265358979323846
 
 /* What the rays of one sample brought so far. */
@@ -105,7 +105,7 @@ static bool good_enough(const struct worker *w, const struct lens_sum *l)
 	e = fmax(e, error(l->sum.b, l->square.b, n, g));
 	if (w->shader->alpha)
 		e = fmax(e, error(l->transmit, l->transmit_square, n, 1));
-	return e <= GOOD_ENOUGH;
+	return e <= GOOD_ENOUGH * sqrt(render_pixel_samples(o)); /* their errors average out */
 }
 
 static uint32_t round_size(const struct worker *w, uint32_t have)

@@ -45,6 +45,14 @@ struct render_options {
 	void *arg;
 };
 
+/* Samples that every pixel has. */
+static inline uint32_t render_pixel_samples(const struct render_options *o)
+{
+	bool all = o->aa == RENDER_AA_GRID || (o->aa == RENDER_AA_POV1 && o->aa_threshold <= 0);
+
+	return all ? o->aa_n * o->aa_n : 1;
+}
+
 enum render_ray {
 	RENDER_CAMERA, RENDER_SHADOW, RENDER_REFLECTED, RENDER_REFRACTED, RENDER_GATHERED, RENDER_RAY_KINDS
 };

@@ -308,9 +308,9 @@ static double mean_error(const struct image *out)
 /* Where a pixel has many rays, each does its part. */
 static uint32_t soft_rounds(const struct scene *s, const struct render_options *o)
 {
-	if (camera_has_lens(&s->camera) || (o->aa == RENDER_AA_GRID && o->aa_n * o->aa_n >= SOFT_ROUNDS))
-		return 1;
-	return o->aa == RENDER_AA_GRID ? SOFT_ROUNDS / (o->aa_n * o->aa_n) : SOFT_ROUNDS;
+	uint32_t samples = render_pixel_samples(o);
+
+	return camera_has_lens(&s->camera) || samples >= SOFT_ROUNDS ? 1 : SOFT_ROUNDS / samples;
 }
 
 static bool fill(struct job *j, struct pool *pool)

@@ -39,6 +39,7 @@ import report
 import tap
 
 SIZE = (160, 120)
+SMALL = (96, 72) # where POV-Ray needs minutes for a picture without noise, and figures are statistics
 LEAST = 99.8
 ORDINARY_LEAST = 99.5
 RMSE, MEAN = 0.004, 0.001
@@ -118,9 +119,9 @@ def direct(outcome, text, base):
     """Without indirect light."""
     pov = written(os.path.join(base, 'direct.pov'), RADIOSITY.sub('', text, count=1))
     noisy = RANDOM.search(text) is not None
-    aa = 'many' if noisy else None
-    theirs = renderers.povray(pov, os.path.join(base, 'direct.exr'), SIZE, aa)
-    renderers.alidade(pov, os.path.join(base, 'direct.pfm'), SIZE, aa=aa, threads=1, good=allowed(theirs))
+    aa, size = ('many', SMALL) if noisy else (None, SIZE)
+    theirs = renderers.povray(pov, os.path.join(base, 'direct.exr'), size, aa)
+    renderers.alidade(pov, os.path.join(base, 'direct.pfm'), size, aa=aa, threads=1, good=allowed(theirs))
     ours = picture.read(os.path.join(base, 'direct.pfm'))
     outcome.figures = measure.Figures(ours, theirs)
     if noisy:
@@ -141,7 +142,7 @@ def soundness(text, theirs, base, aa):
     """Pixels that are not darker than without indirect light, which only adds."""
     text = re.sub(r'\bambient_light\s+rgb\s*<[^<>]*>', 'ambient_light rgb 0', RADIOSITY.sub('', text, count=1))
     least = renderers.povray(written(os.path.join(base, 'least.pov'), text),
-                             os.path.join(base, 'least.exr'), SIZE, aa)
+                             os.path.join(base, 'least.exr'), SMALL, aa)
     theirs = numpy.nan_to_num(theirs, nan=1e9)
     return (picture.encode(theirs) > picture.encode(least) - 2 * measure.LEVEL).all(axis=2)
 
@@ -155,7 +156,7 @@ def indirect(outcome, text, base):
     pov = written(os.path.join(base, 'indirect.pov'), text)
     aa = 'many' if RANDOM.search(text.replace(block, '')) else None
     theirs = renderers.povray(written(os.path.join(base, 'high.pov'), text.replace(block, high)),
-                              os.path.join(base, 'high.exr'), SIZE, aa)
+                              os.path.join(base, 'high.exr'), SMALL, aa)
     sound = soundness(text, theirs, base, aa)
     if not sound.all():
         outcome.notes.append('%d pixels of POV-Ray\'s lost light' % (~sound).sum())
@@ -163,7 +164,7 @@ def indirect(outcome, text, base):
         outcome.complaints.append('POV-Ray lost light in %d pixels' % (~sound).sum())
     for method, rmse, mean in (('exact', RMSE, MEAN), ('cache', 1.5 * RMSE, 2 * MEAN)):
         out = os.path.join(base, method + '.pfm')
-        renderers.alidade(pov, out, SIZE, aa=aa, threads=1, more=['--indirect=' + method],
+        renderers.alidade(pov, out, SMALL, aa=aa, threads=1, more=['--indirect=' + method],
                           good=allowed(theirs))
         ours = picture.read(out)
         figures = measure.Figures(numpy.where(sound[:, :, None], ours, 0), numpy.where(sound[:, :, None], theirs, 0))

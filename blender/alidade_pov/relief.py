@@ -45,6 +45,32 @@ def _unit(rows, instead):
     return np.where(length > 1e-12, rows / np.maximum(length, 1e-12), instead)
 
 
+def facing(bent, flat, eye, points):
+    """Normals turned back towards the flat face's, as little as is needed for the eye to see a mirror's ray leave it.
+
+    Cycles does so while it shades. Without, a normal that points away from the eye is taken for one of the back, and the
+    place is dark. eye: where it is, or with a fourth number 0 the direction to it. Faces seen from behind stay.
+    """
+    to_eye = eye[:3] - points if eye[3] else np.broadcast_to(eye[:3], points.shape)
+    to_eye = _unit(to_eye, flat)
+
+    def along(a, b):
+        return (a * b).sum(axis=1, keepdims=True)
+    facing_us = along(flat, to_eye)
+    least = np.minimum(0.9 * facing_us, 0.01)
+
+    def good(normal):
+        across = along(normal, to_eye)
+        return (across > 0) & (2 * across * along(normal, flat) - facing_us >= least)
+    low, high = np.zeros((len(bent), 1)), np.ones((len(bent), 1))
+    for _ in range(12):
+        middle = 0.5 * (low + high)
+        fits = good(_unit((1 - middle) * bent + middle * flat, flat))
+        low, high = np.where(fits, low, middle), np.where(fits, middle, high)
+    turn = ~good(bent) & (facing_us > 1e-6)
+    return np.where(turn, _unit((1 - high) * bent + high * flat, flat), bent)
+
+
 def divisions(spans, limit):
     """Into how many parts each triangle's sides go: enough for its span in the picture, all within the limit."""
     low, high = 0.0, 1.0
@@ -78,7 +104,7 @@ class Refined:
     own_normals = True
     bad = 0
 
-    def __init__(self, triangles, chosen, layer, relief, tree, painter, limit):
+    def __init__(self, triangles, chosen, layer, relief, tree, painter, limit, eye=None):
         faces, loops = triangles.faces[chosen], triangles.loops[chosen]
         place = triangles.points[faces].astype(np.float64)
         corners_uv = triangles.uv(layer or None)
@@ -108,6 +134,8 @@ class Refined:
             repeat = len(weights)
             bent = relief.bend(tree, painter, coordinates, smooth, np.repeat(du[rows], repeat, axis=0),
                                np.repeat(dv[rows], repeat, axis=0))
+            if eye is not None:
+                bent = facing(bent, np.repeat(flat[rows], repeat, axis=0), eye, where)
             points.append(where)
             normals.append(bent)
             uvs.append(coordinates)

@@ -83,7 +83,7 @@ class Export:
             elif instance.show_self and (ob.type in MESHES or ob.type in ('CURVES', 'HAIR', 'POINTCLOUD')):
                 words = visible.words(whole, self.layer, self.losses, ob.name_full)
                 if words is not None:
-                    things.append((order, self.made(ob), matrix, words))
+                    things.append((order, self.made(ob, None if instance.is_instance else matrix), matrix, words))
             elif ob.type not in SILENT and ob.type not in MESHES:
                 self.losses.lost(ob.name_full, '-', '-', 'objects of the kind %s' % ob.type.lower())
             if instance.show_particles and not instance.is_instance:
@@ -95,14 +95,28 @@ class Export:
         return things + sorted(strands, key=lambda t: t[0])
 
     # Meshes
-    def made(self, ob):
-        """Identifiers of the mesh2 of an object's evaluated geometry: list of (name, interior), and its bounds."""
+    def made(self, ob, matrix=None):
+        """Identifiers of the mesh2 of an object's evaluated geometry: list of (name, interior), and its bounds.
+
+        matrix: where it stands, unless it is one of many.
+        """
         slots = self.slots(ob)
+        self.eye = None
+        if matrix is not None and ob.type == 'MESH' and any(self.materials.look(m).relief for m in slots):
+            self.eye = self._eye(matrix)
         key = (ob.data.as_pointer() if ob.data else 0, ob.type, ob.name_full if ob.type != 'MESH' else '',
-               tuple(m.name_full if m else None for m in slots))
+               tuple(m.name_full if m else None for m in slots), None if self.eye is None else self.eye.tobytes())
         if key not in self.cached:
             self.cached[key] = self._make(ob, slots)
         return self.cached[key]
+
+    def _eye(self, matrix):
+        """The camera in an object's own coordinates, for relief.facing; None where there is no one place of it."""
+        ob = self.scene.camera
+        if ob is None or ob.data.type == 'PANO' or abs(np.linalg.det(matrix[:3, :3])) < 1e-30:
+            return None
+        eye = np.array(ob.matrix_world)
+        return np.linalg.inv(matrix) @ (np.append(eye[:3, 2], 0.0) if ob.data.type == 'ORTHO' else eye[:, 3])
 
     def slots(self, ob):
         """The materials of an object's slots, those that hang on the object before those of its data."""
@@ -147,6 +161,8 @@ class Export:
             digest.update(array.tobytes())
         if triangles.own_normals:
             digest.update(triangles.corner_normals().tobytes())
+        if self.eye is not None:
+            digest.update(self.eye.tobytes())
         for look in looks:
             digest.update(look.name.encode() + b'\0')
             if look.uv is not None:
@@ -185,7 +201,7 @@ class Export:
             chosen = np.arange(triangles.count) if len(groups) == 1 else np.flatnonzero(np.isin(slot, numbers))
             if alone >= 0 and triangles.uv(uv or None) is not None and looks[alone].corner is None:
                 triangles = Refined(whole, chosen, uv, looks[alone].relief, Tree(self.losses, ob.name_full), self.painter,
-                                    self.options.relief)
+                                    self.options.relief, self.eye)
                 chosen, slot = np.arange(triangles.count), np.full(triangles.count, alone)
             name = self.unique(ob.data.name_full if ob.data else ob.name_full)
             textures, entries = self._textures(ob, triangles, looks, slot, chosen, numbers, bounds)

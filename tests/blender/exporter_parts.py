@@ -13,8 +13,8 @@ import zlib
 import numpy as np
 
 sys.path.insert(0, sys.argv[1])
-text, pictures, versions, geometry, images, visible, lossy = (importlib.import_module('alidade_pov.' + n) for n in (
-    'text', 'pictures', 'versions', 'geometry', 'images', 'visible', 'losses'))
+text, pictures, versions, geometry, images, visible, lossy, relief = (importlib.import_module('alidade_pov.' + n) for n in (
+    'text', 'pictures', 'versions', 'geometry', 'images', 'visible', 'losses', 'relief'))
 
 
 def check(name, good, why=''):
@@ -189,6 +189,23 @@ check('and nothing else', not losses.lost_lines() + losses.nearest_lines())
 
 rows, where = geometry.distinct(np.array([[0, 0, 1], [1, 0, 0], [0, 0, 1.0], [0, 0, -1]], np.float32))
 check('each normal once', len(rows) == 3 and np.array_equal(rows[where][:3], [[0, 0, 1], [1, 0, 0], [0, 0, 1]]))
+flat, places = np.tile([0, 0, 1.0], (500, 1)), random.rand(500, 3) * [4, 4, 0]
+bent = random.normal(size=(500, 3)) * [2, 2, 0] + flat
+bent /= np.linalg.norm(bent, axis=1, keepdims=True)
+turned = relief.facing(bent, flat, np.array([2, -6, 1.0, 1]), places)
+to_eye = np.array([2, -6, 1.0]) - places
+to_eye /= np.linalg.norm(to_eye, axis=1, keepdims=True)
+
+
+def seen(normal):
+    return (normal * to_eye).sum(axis=1), (2 * (normal * to_eye).sum(axis=1)[:, None] * normal - to_eye)[:, 2]
+
+
+same = (turned == bent).all(axis=1)
+check('bent normals face the eye, and so do their mirrors', (seen(bent)[0] < 0).any() and (seen(turned)[0] > 0).all()
+      and (seen(turned)[1] > 0).all())
+check('others stay', 50 < same.sum() < 450 and (seen(bent)[1][~same] < 0.0101).all())
+check('as do faces seen from behind', np.array_equal(relief.facing(bent, flat, np.array([0, 0, -1.0, 0]), places), bent))
 points, normals, faces = geometry.tubes([[0, 0, 0], [0, 0, 1], [5, 0, 0], [5, 1, 0], [5, 2, 0]], [2, 3], np.full(5, 0.1), 4)
 check('tubes stand round their strand', len(points) == 20 and len(faces) == 3 * 8
       and np.allclose(np.linalg.norm(points[:4, :2], axis=1), 0.1 * (2 * np.pi / 4) ** 0.5, atol=1e-6)

@@ -89,9 +89,21 @@ struct image_form {
  * channel NULL: all of them in order. */
 void image_row(const struct image *, uint32_t y, const uint32_t *channel, uint32_t count,
 	       struct image_form form, double *out);
-/* count samples as 8 or 16 bit (most significant byte first), rounded to nearest; below 0 and NaN
- * give 0. */
-void image_quantise(const double *sample, size_t count, uint32_t bits, unsigned char *out);
+
+/* Rows as integers of 8 or 16 bits (most significant byte first), rounded to nearest; below 0 and NaN give 0. */
+#define IMAGE_GUESSES 1664
+struct image_bytes {
+	const struct image *image;
+	const struct image_pick *pick;
+	struct image_form form;
+	uint32_t bits;
+	bool quick; /* light to bytes along the sRGB curve, looked up */
+	uint8_t guess[IMAGE_GUESSES]; /* for samples from 2^-13 to 1, by the first bits of the float */
+};
+
+void image_bytes_init(struct image_bytes *, const struct image_job *, const struct image_pick *,
+		      struct image_form);
+void image_bytes_row(const struct image_bytes *, uint32_t y, unsigned char *out);
 /* R, G, B of any layer, Y of none. */
 bool image_is_colour(const char *name);
 

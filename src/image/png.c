@@ -176,7 +176,7 @@ struct writer {
 	png_infop info;
 	bool failed; /* the stream */
 	struct png_trouble trouble;
-	double *row;
+	struct image_bytes rows;
 	unsigned char *bytes;
 	png_text *text;
 };
@@ -243,9 +243,9 @@ static enum status write_guarded(struct writer *w)
 	png_set_sRGB_gAMA_and_cHRM(w->png, w->info, PNG_sRGB_INTENT_PERCEPTUAL);
 	write_notes(w);
 	png_write_info(w->png, w->info);
+	image_bytes_init(&w->rows, job, &w->pick, form);
 	for (uint32_t y = 0; y < im->height; y++) {
-		image_row(im, y, w->pick.channel, w->pick.count, form, w->row);
-		image_quantise(w->row, (size_t)im->width * w->pick.count, job->bits, w->bytes);
+		image_bytes_row(&w->rows, y, w->bytes);
 		png_write_row(w->png, w->bytes);
 	}
 	png_write_end(w->png, w->info);
@@ -275,17 +275,15 @@ enum status png_write(const struct image_job *job)
 		st = check_notes(job);
 	if (st)
 		return st;
-	w.row = malloc(n * sizeof(*w.row));
 	w.bytes = malloc(n * 2);
 	w.text = calloc(job->notes + 1, sizeof(*w.text));
 	w.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &w.trouble, on_error, on_warning);
 	w.info = w.png ? png_create_info_struct(w.png) : NULL;
-	if (w.row && w.bytes && w.text && w.info)
+	if (w.bytes && w.text && w.info)
 		st = write_guarded(&w);
 	else
-		st = diag_no_memory(job->diag, "a row of a picture", n * 6);
+		st = diag_no_memory(job->diag, "a row of a picture", n * 2);
 	png_destroy_write_struct(&w.png, &w.info);
-	free(w.row);
 	free(w.bytes);
 	free(w.text);
 	return st;

@@ -151,27 +151,25 @@ enum status pnm_write(const struct image_job *job)
 	struct image_form form = { IMAGE_SRGB, true };
 	FILE *file = job->out->file;
 	struct image_pick pick;
+	struct image_bytes rows;
 	unsigned char *bytes;
-	double *row;
 	enum status st = image_pick(job, false, &pick);
 	size_t n;
 
 	if (st)
 		return st;
 	n = (size_t)im->width * pick.count;
-	row = malloc(n * sizeof(*row));
+	image_bytes_init(&rows, job, &pick, form);
 	bytes = malloc(n * 2);
 	fprintf(file, "P%d\n%u %u\n%u\n", pick.count == 1 ? 5 : 6, im->width, im->height,
 		(1u << job->bits) - 1);
-	if (!row || !bytes)
-		st = diag_no_memory(job->diag, "a row of a picture", n * (sizeof(*row) + 2));
+	if (!bytes)
+		st = diag_no_memory(job->diag, "a row of a picture", n * 2);
 	for (uint32_t y = 0; y < im->height && !st; y++) {
-		image_row(im, y, pick.channel, pick.count, form, row);
-		image_quantise(row, n, job->bits, bytes);
+		image_bytes_row(&rows, y, bytes);
 		if (fwrite(bytes, job->bits / 8, n, file) != n)
 			st = image_out_failed(job->out);
 	}
-	free(row);
 	free(bytes);
 	return st;
 }

@@ -3,9 +3,12 @@
  *
  * Samples between memory and file: the sRGB curve, alpha, rounding to integers.
  *
- * The curve is IEC 61966-2-1's, with its constants as they are printed there.
+ * The curve is IEC 61966-2-1's, with its constants as they are printed there. Bytes along it, which most files
+ * hold, are looked up: a float's first bits tell its byte or the one before, and a table of the least float of
+ * each byte which of the two.
  */
 #include "image/format.h"
+#include "image/srgb_table.h"
 
 #include <math.h>
 #include <string.h>
@@ -107,17 +110,80 @@ void image_row(const struct image *im, uint32_t y, const uint32_t *channel, uint
 	}
 }
 
-void image_quantise(const double *sample, size_t count, uint32_t bits, unsigned char *out)
+static uint32_t quantise(double v, double top)
 {
-	double top = bits == 8 ? 255 : 65535;
+	return v >= 1 ? (uint32_t)top : v > 0 ? (uint32_t)(v * top + 0.5) : 0;
+}
 
-	for (size_t i = 0; i < count; i++) {
-		double v = sample[i];
-		uint32_t q = v >= 1 ? (uint32_t)top : v > 0 ? (uint32_t)(v * top + 0.5) : 0;
+#define GUESS_LEAST 0x1p-13f /* all below are 0 */
+#define GUESS_BITS 0x39000000u /* of that float */
+#define GUESS_SHIFT 16 /* so many ranges an octave that none has more than two bytes */
 
-		if (bits == 16)
-			*out++ = (unsigned char)(q >> 8);
-		*out++ = (unsigned char)q;
+void image_bytes_init(struct image_bytes *b, const struct image_job *job, const struct image_pick *pick,
+		      struct image_form form)
+{
+	const struct image *im = job->image;
+	uint32_t q = 0;
+
+	*b = (struct image_bytes){ .image = im, .pick = pick, .form = form, .bits = job->bits };
+	b->quick = job->bits == 8 && im->encoding == IMAGE_LINEAR && form.encoding == IMAGE_SRGB;
+	for (uint32_t i = 0; b->quick && i < IMAGE_GUESSES; i++) {
+		uint32_t bits = GUESS_BITS + (i << GUESS_SHIFT);
+		float least;
+
+		memcpy(&least, &bits, sizeof(least));
+		while (least >= srgb_least[q + 1])
+			q++;
+		b->guess[i] = (uint8_t)q;
+	}
+}
+
+static uint8_t srgb_byte(const struct image_bytes *b, float v)
+{
+	uint32_t bits;
+	uint8_t q;
+
+	if (!(v >= GUESS_LEAST))
+		return 0;
+	if (v >= 1)
+		return 255;
+	memcpy(&bits, &v, sizeof(bits));
+	q = b->guess[(bits - GUESS_BITS) >> GUESS_SHIFT];
+	return (uint8_t)(q + (v >= srgb_least[q + 1]));
+}
+
+static void put_integer(uint32_t q, uint32_t bits, unsigned char *out)
+{
+	if (bits == 16)
+		*out++ = (unsigned char)(q >> 8);
+	*out = (unsigned char)q;
+}
+
+void image_bytes_row(const struct image_bytes *b, uint32_t y, unsigned char *out)
+{
+	const struct image *im = b->image;
+	const float *row = im->pixel + (size_t)y * im->width * im->channels;
+	uint32_t count = b->pick->count, size = b->bits / 8;
+	double top = b->bits == 8 ? 255 : 65535;
+
+	for (uint32_t i = 0; i < count; i++) {
+		uint32_t c = b->pick->channel[i];
+		bool colour = image_is_colour(im->name[c]);
+		int alpha = colour ? alpha_of(im, c) : -1;
+		const float *p = row;
+		unsigned char *to = out + (size_t)i * size;
+
+		for (uint32_t x = 0; x < im->width; x++, p += im->channels, to += (size_t)count * size) {
+			if (!colour)
+				put_integer(quantise((double)p[c], top), b->bits, to);
+			else if (b->quick && (alpha < 0 || p[alpha] >= 1))
+				*to = srgb_byte(b, p[c]);
+			else
+				put_integer(quantise(convert(im, b->form, p[c], alpha < 0 ? 1 : p[alpha],
+							     alpha >= 0),
+						     top),
+					    b->bits, to);
+		}
 	}
 }
 

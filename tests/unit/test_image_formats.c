@@ -13,6 +13,7 @@
 
 #include "base/rng.h"
 #include "image/half.h"
+#include "image/srgb_table.h"
 
 static double srgb_exact(double x)
 {
@@ -323,6 +324,41 @@ static void test_srgb_curve(void **state)
 	assert_true(isnan(srgb_encode((double)NAN)));
 }
 
+/* Bytes are looked up: on both sides of each byte's least float, and in between, they are what the curve says. */
+static void test_srgb_bytes(void **state)
+{
+	static const char *const name[] = { "a.png", "a.ppm" };
+	struct fixture *f = *state;
+	struct image im, back;
+	uint32_t n = 0;
+
+	fixture_image(f, &im, 256, 256, 1);
+	im.pixel[n++] = (float)NAN;
+	im.pixel[n++] = -1;
+	im.pixel[n++] = INFINITY;
+	for (uint32_t q = 1; q < 256; q++) {
+		im.pixel[n++] = srgb_least[q];
+		im.pixel[n++] = nextafterf(srgb_least[q], 0);
+	}
+	for (uint32_t i = 0; n < 65536; i++)
+		im.pixel[n++] = (float)pow(rng_unit(i), 1 + i % 8);
+	for (int k = 0; k < 2; k++) {
+		write_and_read(f, &im, name[k], 8, &back);
+		for (uint32_t i = 0; i < 65536; i++) {
+			double v = (double)im.pixel[i], q = v > 0 ? floor(srgb_exact(v) * 255 + 0.5) : 0;
+
+			assert_float_equal(back.pixel[i] * 255, q, 1e-4);
+		}
+		image_release(&back);
+		unlink(f->path[0]);
+	}
+	for (uint32_t q = 1; q < 256; q++) {
+		assert_true(floor(srgb_exact((double)srgb_least[q]) * 255 + 0.5) == q);
+		assert_true(floor(srgb_exact((double)nextafterf(srgb_least[q], 0)) * 255 + 0.5) == q - 1);
+	}
+	image_release(&im);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -331,7 +367,7 @@ int main(void)
 #ifdef HAVE_OPENEXR
 		T(test_exr_layers), T(test_exr_half), T(test_exr_incompressible), T(test_exr_names),
 #endif
-		T(test_alpha), T(test_left_out), T(test_notes), T(test_srgb_curve),
+		T(test_alpha), T(test_left_out), T(test_notes), T(test_srgb_curve), T(test_srgb_bytes),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

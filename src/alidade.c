@@ -197,7 +197,8 @@ static void drop_alpha(struct image *image)
 		float *to = image->pixel + (n - 1) * i, *from = image->pixel + n * i;
 
 		memmove(to, from, 3 * sizeof(*to));
-		memmove(to + 3, from + 4, (n - 4) * sizeof(*to));
+		for (uint32_t k = 4; k < n; k++)
+			to[k - 1] = from[k];
 	}
 	memmove(image->name[3], image->name[4], (n - 4) * sizeof(image->name[0]));
 	image->channels--;

@@ -23,13 +23,16 @@ static void kill_ray(ald_ray *r)
 
 static void enter_level(const struct prim_level *l, const ald_ray *in, ald_ray *out)
 {
-	*out = *in;
-	if (!sound(in)) {
+	*out = (ald_ray){ .org = prim_level_point(l, in->org),
+			  .dir = vec_scale(in->dir, l->scale),
+			  .tmin = in->tmin,
+			  .tmax = in->tmax,
+			  .mask = in->mask,
+			  .skip = in->skip,
+			  .after = in->after,
+			  .after_sub = { in->after_sub[0], in->after_sub[1] } };
+	if (!sound(in))
 		kill_ray(out);
-		return;
-	}
-	out->org = prim_level_point(l, in->org);
-	out->dir = vec_scale(in->dir, l->scale);
 }
 
 /* The nearest plane: it becomes the ray's tmax, so that the accelerator looks no further. Of what is met
@@ -71,6 +74,7 @@ void trace_nearest(const struct geometry *g, uint32_t thread, const ald_ray *ray
 		   uint32_t n, uint32_t hints)
 {
 	struct worker *w = g->worker[thread];
+	bool planes = g->set.unbounded_count > 0;
 
 	for (uint32_t first = 0; first < n; first += TRACE_BATCH) {
 		uint32_t m = n - first < TRACE_BATCH ? n - first : TRACE_BATCH;
@@ -78,13 +82,13 @@ void trace_nearest(const struct geometry *g, uint32_t thread, const ald_ray *ray
 
 		for (uint32_t i = 0; i < m; i++) {
 			enter_level(&g->set.level[0], &rays[first + i], &w->ray[i]);
-			w->plane[i] = nearest_plane(g, w, &w->ray[i]);
+			w->plane[i] = planes ? nearest_plane(g, w, &w->ray[i]) : ALD_NONE;
 			hit[i] = (ald_hit){ .t = w->ray[i].tmax, .prim = ALD_NONE };
 		}
 		if (g->view[0].accel)
 			accel_nearest_n(g->plugin, g->view[0].accel, &w->query[0].q, w->ray, hit, m,
 					hints);
-		for (uint32_t i = 0; g->set.unbounded_count && i < m; i++) {
+		for (uint32_t i = 0; planes && i < m; i++) {
 			if (w->plane[i] != ALD_NONE && hit[i].t >= w->ray[i].tmax)
 				hit[i] = (ald_hit){ .t = w->ray[i].tmax, .prim = w->plane[i] };
 		}
@@ -95,6 +99,7 @@ void trace_occluded(const struct geometry *g, uint32_t thread, const ald_ray *ra
 		    uint32_t n, uint32_t hints)
 {
 	struct worker *w = g->worker[thread];
+	bool planes = g->set.unbounded_count > 0;
 
 	for (uint32_t first = 0; first < n; first += TRACE_BATCH) {
 		uint32_t m = n - first < TRACE_BATCH ? n - first : TRACE_BATCH, live = 0;
@@ -104,7 +109,7 @@ void trace_occluded(const struct geometry *g, uint32_t thread, const ald_ray *ra
 			ald_ray *r = &w->ray[live];
 
 			enter_level(&g->set.level[0], &rays[first + i], r);
-			hidden[first + i] = nearest_plane(g, w, r) != ALD_NONE;
+			hidden[first + i] = planes && nearest_plane(g, w, r) != ALD_NONE;
 			if (hidden[first + i])
 				continue;
 			w->plane[live] = i;

@@ -73,7 +73,7 @@ static inline vec vec_unit(vec a)
 
 static inline bool vec_finite(vec a)
 {
-	return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
+	return a.x * 0 + a.y * 0 + a.z * 0 == 0; /* infinity and NaN make it NaN */
 }
 
 struct mat {

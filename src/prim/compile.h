@@ -130,7 +130,10 @@ bool prim_same_frame(const struct prim_set *, const struct scene *);
 
 /* Scale and shift for this box (lo > hi: nothing). */
 void prim_level_frame(struct prim_level *, const ald_box *);
-vec prim_level_point(const struct prim_level *, vec p);
+static inline vec prim_level_point(const struct prim_level *l, vec p)
+{
+	return vec_scale(vec_sub(p, l->shift), l->scale);
+}
 /* The map from mesh to level coordinates: the leaf's place (NULL: none), then the level's frame. */
 struct mat prim_bake_mat(const struct prim_level *, const struct xform *place);
 bool prim_join_mesh(ald_box *, const struct mesh *, const struct mat *);

@@ -43,11 +43,6 @@ void prim_level_frame(struct prim_level *l, const ald_box *box)
 	l->pad = 16 * ALD_U * l->size;
 }
 
-vec prim_level_point(const struct prim_level *l, vec p)
-{
-	return vec_scale(vec_sub(p, l->shift), l->scale);
-}
-
 struct mat prim_bake_mat(const struct prim_level *l, const struct xform *place)
 {
 	struct mat m = place ? place->fwd : mat_identity;

@@ -26,6 +26,13 @@ struct grid {
 	uint32_t asked; /* samples traced so far */
 };
 
+/* Of a place in the picture, in pixels. Counted in places from the picture's corner and divided once, so that
+ * the same place has the same coordinates to the bit in every tile. */
+static double coordinate(uint32_t tile, int32_t place, double shift, uint32_t div)
+{
+	return ((double)tile * div + place + shift) / div;
+}
+
 static bool grid_init(struct grid *g, struct worker *w, const struct aa_tile *tile, uint32_t div,
 		      uint32_t margin, double shift)
 {
@@ -60,12 +67,9 @@ static struct sample *grid_at(struct grid *g, int32_t x, int32_t y)
 
 		if (i == TREE_NONE)
 			return NULL;
-		/* Counted in places from the picture's corner and divided once, so that the same place
-		 * has the same coordinates to the bit in every tile. */
-		*BUF_AT(&w->sample, struct sample, i) = (struct sample){
-			.x = ((double)g->tile->x * g->div + x + g->shift) / g->div,
-			.y = ((double)g->tile->y * g->div + y + g->shift) / g->div,
-		};
+		*BUF_AT(&w->sample, struct sample, i) =
+			(struct sample){ .x = coordinate(g->tile->x, x, g->shift, g->div),
+					 .y = coordinate(g->tile->y, y, g->shift, g->div) };
 		*cell = i;
 	}
 	return *cell < g->asked ? BUF_AT(&w->sample, struct sample, *cell) : NULL;
@@ -85,8 +89,7 @@ static bool grid_trace(struct grid *g, bool *more)
 
 static bool sample_finite(const struct sample *s)
 {
-	return isfinite(s->colour.r) && isfinite(s->colour.g) && isfinite(s->colour.b) &&
-	       isfinite(s->transmit);
+	return vec_finite(vec_make(s->colour.r, s->colour.g, s->colour.b)) && isfinite(s->transmit);
 }
 
 static void pixel_add(struct aa_pixel *p, const struct sample *s, double weight)
@@ -113,27 +116,33 @@ static double difference(const struct sample *a, const struct sample *b, double 
 	       fabs(a->transmit - b->transmit);
 }
 
-/* n x n centres of equal squares; n = 1 is no anti-aliasing. */
+/* n x n centres of equal squares; n = 1 is no anti-aliasing. They are asked for row by row, so that it is known
+ * where each stands. */
 static bool plain_part(struct worker *w, const struct aa_tile *tile, uint32_t n, struct aa_pixel *pixel,
 		       uint32_t pitch)
 {
-	struct grid g;
-	bool more;
+	uint32_t columns = tile->width * n, rows = tile->height * n;
+	double weight = 1.0 / ((double)n * n);
+	struct sample *s;
 
-	if (!grid_init(&g, w, tile, n, 0, 0.5))
+	w->sample.count = 0;
+	if (tree_push(&w->tree, &w->sample, columns * rows) == TREE_NONE)
 		return false;
-	for (int pass = 0; pass < 2; pass++) {
-		for (uint32_t y = 0; y < tile->height * n; y++) {
-			for (uint32_t x = 0; x < tile->width * n; x++) {
-				const struct sample *s = grid_at(&g, (int32_t)x, (int32_t)y);
+	s = w->sample.data;
+	for (uint32_t y = 0; y < rows; y++) {
+		double at = coordinate(tile->y, (int32_t)y, 0.5, n);
 
-				if (pass && s)
-					pixel_add(&pixel[y / n * pitch + x / n], s,
-						  1.0 / ((double)n * n));
-			}
+		for (uint32_t x = 0; x < columns; x++, s++) {
+			s->x = coordinate(tile->x, (int32_t)x, 0.5, n);
+			s->y = at;
 		}
-		if (!pass && !grid_trace(&g, &more))
-			return false;
+	}
+	if (!wave_trace(w, 0, columns * rows))
+		return false;
+	s = w->sample.data;
+	for (uint32_t y = 0; y < rows; y++) {
+		for (uint32_t x = 0; x < columns; x++, s++)
+			pixel_add(&pixel[y / n * pitch + x / n], s, weight);
 	}
 	return true;
 }

@@ -109,6 +109,8 @@ void fold_nodes(const struct shader *sh, struct tree *t, uint32_t first, uint32_
 	for (uint32_t i = first; i < first + count; i++) {
 		struct node *n = BUF_AT(&t->node, struct node, i);
 
+		if (!n->part_count && !n->veil) /* it left the scene: all is said */
+			continue;
 		for (uint32_t j = 0; j < n->part_count; j++) {
 			const struct part *p = BUF_AT(&t->part, struct part, n->first_part + j);
 			struct folded f;

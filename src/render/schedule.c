@@ -69,32 +69,26 @@ static void put_error(float *out, const struct aa_pixel *p, double gamma)
 	}
 }
 
-static void put_pixel(struct job *j, uint32_t x, uint32_t y, const struct aa_pixel *p)
-{
-	float *out = j->image->pixel + ((size_t)y * j->image->width + x) * j->image->channels;
-	double gamma = j->shader.scene->assumed_gamma;
-
-	out[0] = (float)tone_linear(p->colour.r, gamma);
-	out[1] = (float)tone_linear(p->colour.g, gamma);
-	out[2] = (float)tone_linear(p->colour.b, gamma);
-	out[3] = (float)(1 - p->transmit);
-	if (j->image->channels > 4)
-		put_error(out + 4, p, gamma);
-}
-
-/* Float has a smaller range than double: what overflows is not finite either. */
-static bool stored_finite(const struct job *j, uint32_t x, uint32_t y)
+/* False: not finite, and so black. Float has a smaller range than double: what overflows is not finite either. */
+static bool put_pixel(const struct job *j, float *out, const struct aa_pixel *p)
 {
 	uint32_t channels = j->image->channels;
-	float *out = j->image->pixel + ((size_t)y * j->image->width + x) * channels;
+	double gamma = j->shader.scene->assumed_gamma;
+	struct rgb c = tone_linear_rgb(p->colour, gamma);
+	float nothing = 0; /* NaN if a channel is not finite */
 
-	for (uint32_t i = 0; i < channels; i++) {
-		if (!isfinite(out[i])) {
-			memset(out, 0, channels * sizeof(*out));
-			return false;
-		}
-	}
-	return true;
+	out[0] = (float)c.r;
+	out[1] = (float)c.g;
+	out[2] = (float)c.b;
+	out[3] = (float)(1 - p->transmit);
+	if (channels > 4)
+		put_error(out + 4, p, gamma);
+	for (uint32_t i = 0; i < channels; i++)
+		nothing += out[i] * 0;
+	if (nothing == 0)
+		return p->finite;
+	memset(out, 0, channels * sizeof(*out));
+	return false;
 }
 
 /* Under the lock. */
@@ -110,15 +104,15 @@ static void note_nonfinite(struct render_counts *c, uint32_t x, uint32_t y)
 static void finish_tile(struct job *j, const struct aa_tile *t, const struct aa_pixel *pixel)
 {
 	const struct render_options *o = &j->whole;
+	struct image *image = j->image;
 
 	pthread_mutex_lock(&j->lock);
 	for (uint32_t y = 0; y < t->height; y++) {
-		for (uint32_t x = 0; x < t->width; x++) {
-			const struct aa_pixel *p = &pixel[y * t->width + x];
-			uint32_t at_x = t->x - o->crop_x + x, at_y = t->y - o->crop_y + y;
+		size_t row = (size_t)(t->y - o->crop_y + y) * image->width + (t->x - o->crop_x);
+		float *out = image->pixel + row * image->channels;
 
-			put_pixel(j, at_x, at_y, p);
-			if (!stored_finite(j, at_x, at_y) || !p->finite)
+		for (uint32_t x = 0; x < t->width; x++, pixel++, out += image->channels) {
+			if (!put_pixel(j, out, pixel))
 				note_nonfinite(j->counts, t->x + x, t->y + y);
 		}
 	}

@@ -71,30 +71,34 @@ static void root_cone(const struct worker *w, const struct wave_root *r, struct 
 	}
 }
 
+static void put_root(struct worker *w, struct node *n, const struct wave_root *r)
+{
+	static const struct node blank = { .weight = 1, .skip = ALD_NONE, .kind = NODE_CAMERA };
+	const struct shader *sh = w->shader;
+
+	*n = blank; /* copied, as clearing what is not named takes longer */
+	n->key = seeded(r->key, w->options->seed);
+	n->inside = w->inside;
+	n->clear_sky = sh->alpha;
+	if (!root_ray(w, r, n)) {
+		n->nowhere = true;
+		n->org = sh->scene->camera.location;
+		n->dir = vec_make(0, 0, 1);
+		return;
+	}
+	if (!camera_is_point(&sh->scene->camera))
+		n->inside = shade_camera_inside(sh, &w->tree, n->org);
+	if (sh->footprints)
+		root_cone(w, r, n);
+}
+
 bool wave_push(struct worker *w, const struct wave_root *r)
 {
-	struct tree *t = &w->tree;
-	const struct scene *scene = w->shader->scene;
-	uint32_t i = tree_push(t, &t->node, 1);
-	struct node n = { .weight = 1,
-			  .key = seeded(r->key, w->options->seed),
-			  .skip = ALD_NONE,
-			  .kind = NODE_CAMERA,
-			  .clear_sky = w->shader->alpha,
-			  .inside = w->inside };
+	uint32_t i = tree_push(&w->tree, &w->tree.node, 1);
 
 	if (i == TREE_NONE)
 		return false;
-	if (!root_ray(w, r, &n)) {
-		n.nowhere = true;
-		n.org = scene->camera.location;
-		n.dir = vec_make(0, 0, 1);
-	} else if (!camera_is_point(&scene->camera)) {
-		n.inside = shade_camera_inside(w->shader, t, n.org);
-	}
-	if (w->shader->footprints && !n.nowhere)
-		root_cone(w, r, &n);
-	*BUF_AT(&t->node, struct node, i) = n;
+	put_root(w, BUF_AT(&w->tree.node, struct node, i), r);
 	return true;
 }
 
@@ -108,14 +112,13 @@ static uint32_t node_mask(const struct node *n)
 
 static void fill_ray(ald_ray *r, const struct node *n)
 {
-	*r = (ald_ray){ .org = n->org,
-			.dir = n->dir,
-			.tmin = 0,
-			.tmax = HUGE_VAL,
-			.mask = n->nowhere ? 0 : node_mask(n),
-			.skip = n->skip,
-			.after = ALD_NONE,
-			.after_sub = { ALD_NONE, ALD_NONE } };
+	r->org = n->org;
+	r->dir = n->dir;
+	r->tmin = 0;
+	r->tmax = HUGE_VAL;
+	r->mask = n->nowhere ? 0 : node_mask(n);
+	r->skip = n->skip;
+	r->after = r->after_sub[0] = r->after_sub[1] = ALD_NONE;
 }
 
 static void count_rays(struct worker *w, const struct node *n, bool hit)
@@ -291,14 +294,13 @@ bool wave_trace(struct worker *w, uint32_t first, uint32_t n)
 
 	if (camera_has_lens(&w->shader->scene->camera))
 		return lens_trace(w, first, n);
-	if (!wave_begin(w))
+	if (!wave_begin(w) || tree_push(t, &t->node, n) == TREE_NONE)
 		return false;
 	for (uint32_t i = 0; i < n; i++) {
 		const struct sample *s = BUF_AT(&w->sample, struct sample, first + i);
 		struct wave_root root = { .x = s->x, .y = s->y, .key = wave_key(s) };
 
-		if (!wave_push(w, &root))
-			return false;
+		put_root(w, BUF_AT(&t->node, struct node, i), &root);
 	}
 	if (!wave_follow(w, n))
 		return false;

@@ -155,7 +155,15 @@ static bool make_unit(vec org, vec *dir)
 bool camera_ray(const struct camera *c, double x, double y, double width, double height, vec *org,
 		vec *dir)
 {
-	return pinhole_ray(c, x / width - 0.5, 0.5 - y / height, org, dir) && make_unit(*org, dir);
+	double u = x / width - 0.5, v = 0.5 - y / height;
+
+	if (c->kind == CAMERA_PERSPECTIVE) { /* nearly all are */
+		*org = c->location;
+		*dir = combine(c, u, v, 1);
+	} else if (!pinhole_ray(c, u, v, org, dir)) {
+		return false;
+	}
+	return make_unit(*org, dir);
 }
 
 /* A quarter of the aperture is the lens's radius: the aperture is a diameter, of which POV-Ray's grid
@@ -173,17 +181,6 @@ bool camera_lens_ray(const struct camera *c, double x, double y, double width, d
 	*org = vec_add(*org, off);
 	*dir = vec_sub(vec_scale(*dir, c->focal_distance / vec_length(c->direction)), off);
 	return make_unit(*org, dir);
-}
-
-bool camera_is_point(const struct camera *c)
-{
-	return c->kind != CAMERA_ORTHOGRAPHIC && c->kind != CAMERA_CYLINDER_3 &&
-	       c->kind != CAMERA_CYLINDER_4 && !camera_has_lens(c);
-}
-
-bool camera_has_lens(const struct camera *c)
-{
-	return c->aperture != 0;
 }
 
 /* The pattern is asked where the ray goes through a picture from -0.5 to 0.5, and the ray taken for a normal:

@@ -20,8 +20,16 @@ void camera_bend(const struct scene *, double x, double y, double width, double 
 bool camera_lens_ray(const struct camera *, double x, double y, double width, double height,
 		     double lens_x, double lens_y, vec *org, vec *dir);
 
+static inline bool camera_has_lens(const struct camera *c)
+{
+	return c->aperture != 0;
+}
+
 /* All its rays start in one point. */
-bool camera_is_point(const struct camera *);
-bool camera_has_lens(const struct camera *);
+static inline bool camera_is_point(const struct camera *c)
+{
+	return c->kind != CAMERA_ORTHOGRAPHIC && c->kind != CAMERA_CYLINDER_3 &&
+	       c->kind != CAMERA_CYLINDER_4 && !camera_has_lens(c);
+}
 
 #endif

@@ -75,6 +75,12 @@ static double cylinder_beam(const struct light *l, vec p)
 	return a;
 }
 
+/* Lamps fade with the square of the distance, unless their maker had other things in mind. */
+static double power(double x, double n)
+{
+	return n == 2 ? x * x : pow(x, n);
+}
+
 double light_attenuation(const struct light *l, vec p, const struct light_ray *r)
 {
 	double a = 1;
@@ -84,7 +90,7 @@ double light_attenuation(const struct light *l, vec p, const struct light_ray *r
 	else if (l->kind == LIGHT_CYLINDER)
 		a = cylinder_beam(l, p);
 	if (a > 0 && l->fade_power > 0 && l->fade_distance != 0)
-		a *= 2 / (1 + pow(r->depth / l->fade_distance, l->fade_power));
+		a *= 2 / (1 + power(r->depth / l->fade_distance, l->fade_power));
 	return a;
 }
 

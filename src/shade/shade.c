@@ -21,6 +21,7 @@ void shader_init(struct shader *sh, const struct scene *s, const struct geometry
 		sh->media = s->interior[i].media_count > 0;
 	sh->fog = s->fog_count > 0;
 	sh->insides = sh->translucent || sh->media || sh->fog;
+	shade_sky_init(sh);
 }
 
 bool shade_worth(const struct shader *sh, uint32_t bounce, uint32_t level, double weight)

@@ -43,6 +43,10 @@ struct shader {
 	bool fog;
 	uint32_t soft_rounds; /* how often jittered lights are asked for, at most */
 	bool insides; /* what rays are inside of is followed from the camera on */
+	struct open_sky {
+		struct rgb colour;
+		double transmit;
+	} open[2]; /* without a sky sphere: what rays see that leave the scene, by node.clear_sky */
 };
 
 /* Rays cast for shading, for the reports. */
@@ -57,6 +61,8 @@ void shader_init(struct shader *, const struct scene *, const struct geometry *,
 /* The solids that a camera ray starts in, as a list of tree.inside. */
 uint32_t shade_camera_inside(const struct shader *, struct tree *, vec org);
 
+/* Find shader.open. */
+void shade_sky_init(struct shader *);
 /* A ray that left the scene. */
 void shade_sky(const struct shader *, struct node *);
 /* A ray that hit: appends a met with its parts, layers and mirrors. */

@@ -59,16 +59,12 @@ void tree_release(struct tree *t)
 		buf_release(all[i]);
 }
 
-uint32_t tree_push(struct tree *t, struct buf *b, uint32_t n)
+bool tree_grow(struct tree *t, struct buf *b, uint32_t n)
 {
-	uint32_t first = b->count;
-
-	if (!buf_reserve(b, t->book, "render", n)) {
-		t->no_memory = true;
-		return TREE_NONE;
-	}
-	b->count += n;
-	return first;
+	if (buf_reserve(b, t->book, "render", n))
+		return true;
+	t->no_memory = true;
+	return false;
 }
 
 void tree_veil(struct tree *t, uint32_t node, struct rgb clear, struct rgb glow)

@@ -169,8 +169,18 @@ void tree_reset(struct tree *); /* empty, memory kept */
 void tree_reset_wave(struct tree *);
 void tree_release(struct tree *);
 
+bool tree_grow(struct tree *, struct buf *, uint32_t n); /* false: no_memory is set */
+
 /* Append n uninitialised elements; the index of the first, or TREE_NONE (then no_memory is set). */
-uint32_t tree_push(struct tree *, struct buf *, uint32_t n);
+static inline uint32_t tree_push(struct tree *t, struct buf *b, uint32_t n)
+{
+	uint32_t first = b->count;
+
+	if (n > b->room - first && !tree_grow(t, b, n))
+		return TREE_NONE;
+	b->count = first + n;
+	return first;
+}
 
 /* Hang another veil before those that node has: nearer to its origin, or around them all. */
 void tree_veil(struct tree *, uint32_t node, struct rgb clear, struct rgb glow);

@@ -70,7 +70,8 @@ static bool wanted(const struct tree *t, const struct light *l, const struct met
  * rounding does to coordinates of this size, unless the light grazes. */
 static double short_of(vec p, const struct light_ray *r)
 {
-	double size = fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))) + r->depth;
+	double x = fabs(p.x), y = fabs(p.y), z = fabs(p.z), yz = y > z ? y : z;
+	double size = (x > yz ? x : yz) + r->depth;
 
 	return r->depth - 0x1p-40 * size;
 }
@@ -412,10 +413,10 @@ static void fall_spread(const struct shader *sh, struct tree *t, const struct me
 void shade_light(const struct shader *sh, struct tree *t, uint32_t thread, struct shade_counts *counts)
 {
 	for (uint32_t i = 0; i < t->met.count; i++) {
-		const struct met m = *BUF_AT(&t->met, struct met, i);
+		const struct met *m = BUF_AT(&t->met, struct met, i);
 
-		for (uint32_t j = 0; m.layer_count && j < sh->scene->light_count; j++) {
-			if (scene_lit_by(sh->scene, &sh->scene->light[j], m.light_set))
+		for (uint32_t j = 0; m->layer_count && j < sh->scene->light_count; j++) {
+			if (scene_lit_by(sh->scene, &sh->scene->light[j], m->light_set))
 				ask_light(sh, t, i, j, true);
 		}
 	}

@@ -19,14 +19,13 @@
 
 static void make_ray(ald_ray *r, const struct shadow *s, uint32_t mask)
 {
-	*r = (ald_ray){ .org = s->org,
-			.dir = s->dir,
-			.tmin = 0,
-			.tmax = s->depth,
-			.mask = mask,
-			.skip = s->skip,
-			.after = ALD_NONE,
-			.after_sub = { ALD_NONE, ALD_NONE } };
+	r->org = s->org;
+	r->dir = s->dir;
+	r->tmin = 0;
+	r->tmax = s->depth;
+	r->mask = mask;
+	r->skip = s->skip;
+	r->after = r->after_sub[0] = r->after_sub[1] = ALD_NONE;
 }
 
 /* Looking at what a surface lets through. */

@@ -78,14 +78,33 @@ static void old_sky(const struct shader *sh, struct node *n)
 	n->colour = rgb_add(rgb_mul(n->colour, clear), rgb_mul(own, s->sky->emission));
 }
 
+static void any_sky(const struct shader *sh, struct node *n)
+{
+	if (sh->scene->version < 370)
+		old_sky(sh, n);
+	else
+		sky(sh, n);
+}
+
+void shade_sky_init(struct shader *sh)
+{
+	for (int i = 0; i < 2 && !sh->scene->sky; i++) {
+		struct node n = { .clear_sky = i };
+
+		any_sky(sh, &n);
+		sh->open[i] = (struct open_sky){ n.colour, n.transmit };
+	}
+}
+
 void shade_sky(const struct shader *sh, struct node *n)
 {
 	if (n->nowhere) {
 		n->colour = rgb_make(0, 0, 0);
 		n->transmit = sh->alpha ? 1 : 0;
-	} else if (sh->scene->version < 370) {
-		old_sky(sh, n);
+	} else if (sh->scene->sky) {
+		any_sky(sh, n);
 	} else {
-		sky(sh, n);
+		n->colour = sh->open[n->clear_sky].colour;
+		n->transmit = sh->open[n->clear_sky].transmit;
 	}
 }

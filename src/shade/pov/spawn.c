@@ -27,7 +27,9 @@ struct spawn {
 static uint32_t add_node(const struct shader *sh, struct tree *t, const struct met *m,
 			 const struct spawn *s)
 {
+	static const struct node blank = { .skip = ALD_NONE };
 	const struct node *parent = BUF_AT(&t->node, struct node, m->node); /* gone after the push */
+	struct node *n;
 	uint32_t level = parent->level + (parent->straight ? 0 : 1), i;
 	uint32_t bounce = parent->bounce, path = parent->path;
 	double way = parent->way + m->t;
@@ -40,23 +42,25 @@ static uint32_t add_node(const struct shader *sh, struct tree *t, const struct m
 	i = tree_push(t, &t->node, 1);
 	if (i == TREE_NONE)
 		return i;
-	*BUF_AT(&t->node, struct node, i) = (struct node){ .org = shadow_origin(m, s->dir),
-							   .dir = s->dir,
-							   .weight = s->weight,
-							   .key = key,
-							   .width = width,
-							   .spread = spread,
-							   .band = s->band,
-							   .level = level,
-							   .bounce = bounce,
-							   .path = path,
-							   .way = way,
-							   .inside = s->inside,
-							   .skip = m->skip,
-							   .kind = s->kind,
-							   .straight = s->straight,
-							   .mirrored = seen_in_mirror,
-							   .clear_sky = s->clear_sky };
+	n = BUF_AT(&t->node, struct node, i);
+	*n = blank;
+	n->org = shadow_origin(m, s->dir);
+	n->dir = s->dir;
+	n->weight = s->weight;
+	n->key = key;
+	n->width = width;
+	n->spread = spread;
+	n->band = s->band;
+	n->level = level;
+	n->bounce = bounce;
+	n->path = path;
+	n->way = way;
+	n->inside = s->inside;
+	n->skip = m->skip;
+	n->kind = s->kind;
+	n->straight = s->straight;
+	n->mirrored = seen_in_mirror;
+	n->clear_sky = s->clear_sky;
 	return i;
 }
 

@@ -21,7 +21,9 @@ static double opacity(const struct scene *s, const struct rgbft *c)
 
 static double clearness(struct rgb filter)
 {
-	return fmin(1, fabs(rgb_grey(filter)));
+	double c = fabs(rgb_grey(filter));
+
+	return c < 1 ? c : 1;
 }
 
 /* The light a layer has without lamps. */
@@ -140,52 +142,59 @@ static struct looked look_at(struct looking *l, const struct texture *tex, uint3
 	return to;
 }
 
+/* A layer of a part, on top of those that come later. */
+static void put_layer(struct looking *l, struct part *p, uint32_t part, const struct looked *one, double share,
+		      struct indirect_part *indirect)
+{
+	const struct finish *f = one->finish;
+	double opaque = opacity(l->sh->scene, &one->colour);
+	struct rgb pigment = rgbft_rgb(one->colour), reflectivity = { 0, 0, 0 };
+	bool mirror = finish_is_mirror(f);
+
+	if (mirror)
+		add_mirror(l, p, one, l->n->weight * p->clear, &reflectivity);
+	p->own = rgb_add(p->own, rgb_mul(p->filter, rgb_scale(glow(l->sh, f, pigment), opaque)));
+	if (l->n->bounce || !l->sh->indirect.filling) /* else nobody looks at it */
+		add_layer(l->t, p, part, one, opaque);
+	if (indirect->wanted)
+		indirect_layer(l->sh, l->t, l->m, indirect, f,
+			       rgb_mul(p->filter, rgb_scale(pigment, opaque)), one->normal, share);
+	p->filter = rgb_mul(p->filter, rgbft_through(one->colour));
+	if (mirror && f->conserve_energy)
+		p->filter = rgb_mul(p->filter, rgb_make(fmin(1, 1 - reflectivity.r),
+							fmin(1, 1 - reflectivity.g),
+							fmin(1, 1 - reflectivity.b)));
+	p->clear = clearness(p->filter);
+}
+
 /* A texture of layers. */
 static void add_part(struct looking *l, const struct texture *tex, const struct pattern_point *at,
 		     double share)
 {
+	static const struct part blank = {
+		.filter = { 1, 1, 1 }, .fade = { 1, 1, 1 }, .clear = 1, .through = TREE_NONE
+	};
 	struct tree *t = l->t;
-	const struct scene *s = l->sh->scene;
-	uint32_t index;
+	uint32_t index = tree_push(t, &t->part, 1);
 	struct indirect_part indirect = indirect_part(l->sh, l->n);
 	double bailout = shade_bailout(l->sh, l->n->bounce);
-	struct part p = { .share = share,
-			  .filter = { 1, 1, 1 },
-			  .fade = { 1, 1, 1 },
-			  .clear = 1,
-			  .normal = l->m->ns,
-			  .through = TREE_NONE,
-			  .first_layer = t->layer.count,
-			  .first_mirror = t->mirror.count };
+	struct part *p;
 
-	index = tree_push(t, &t->part, 1);
 	if (index == TREE_NONE)
 		return;
-	for (uint32_t i = 0; i < tex->count && p.clear > bailout; i++) {
+	p = BUF_AT(&t->part, struct part, index);
+	*p = blank;
+	p->share = share;
+	p->normal = l->m->ns;
+	p->first_layer = t->layer.count;
+	p->first_mirror = t->mirror.count;
+	for (uint32_t i = 0; i < tex->count && p->clear > bailout; i++) {
 		struct looked one = look_at(l, tex, i, at);
-		struct rgb reflectivity = { 0, 0, 0 };
-		double opaque = opacity(s, &one.colour);
 
 		if (i == 0)
-			p.normal = one.normal;
-		if (finish_is_mirror(one.finish))
-			add_mirror(l, &p, &one, l->n->weight * p.clear, &reflectivity);
-		p.own = rgb_add(p.own, rgb_mul(p.filter, rgb_scale(glow(l->sh, one.finish, rgbft_rgb(one.colour)),
-								   opaque)));
-		if (l->n->bounce || !l->sh->indirect.filling) /* else nobody looks at it */
-			add_layer(t, &p, index, &one, opaque);
-		if (indirect.wanted)
-			indirect_layer(l->sh, t, l->m, &indirect, one.finish,
-				       rgb_mul(p.filter, rgb_scale(rgbft_rgb(one.colour), opaque)),
-				       one.normal, share);
-		p.filter = rgb_mul(p.filter, rgbft_through(one.colour));
-		if (one.finish->conserve_energy)
-			p.filter = rgb_mul(p.filter, rgb_make(fmin(1, 1 - reflectivity.r),
-							      fmin(1, 1 - reflectivity.g),
-							      fmin(1, 1 - reflectivity.b)));
-		p.clear = clearness(p.filter);
+			p->normal = one.normal;
+		put_layer(l, p, index, &one, share, &indirect);
 	}
-	*BUF_AT(&t->part, struct part, index) = p;
 }
 
 static void visit(void *self, const struct texture *tex, const struct pattern_point *at, double share)
@@ -220,31 +229,33 @@ void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald
 	       const ald_hit *hit)
 {
 	uint32_t index = tree_push(t, &t->met, 1);
-	const struct node *n = BUF_AT(&t->node, struct node, node);
+	struct node *n = BUF_AT(&t->node, struct node, node);
+	struct looking l = { .sh = sh, .t = t, .n = n, .hit = hit };
 	struct surface s;
-	struct met m;
 	bool from_inside;
-	struct looking l = { .sh = sh, .t = t, .m = &m, .n = n, .hit = hit };
+	struct met *m;
 
 	if (index == TREE_NONE)
 		return;
 	surface_at(sh->geometry, ray, hit, &s);
 	from_inside = vec_dot(s.ns, n->dir) > 0;
-	m = (struct met){ .node = node,
-			  .p = s.p,
-			  .n = s.n,
-			  .ns = from_inside ? vec_neg(s.ns) : s.ns,
-			  .error = surface_error(sh->geometry, ray, hit, &s),
-			  .t = hit->t,
-			  .skip = s.planar ? hit->prim : ALD_NONE,
-			  .object = s.object,
-			  .interior = s.interior,
-			  .flags = s.flags,
-			  .light_set = s.light_set,
-			  .first_part = t->part.count,
-			  .first_layer = t->layer.count,
-			  .first_gather = t->gather.count };
-	l.bent = m.ns;
+	m = BUF_AT(&t->met, struct met, index);
+	m->node = node;
+	m->p = s.p;
+	m->n = s.n;
+	m->ns = from_inside ? vec_neg(s.ns) : s.ns;
+	m->error = surface_error(sh->geometry, ray, hit, &s);
+	m->t = hit->t;
+	m->skip = s.planar ? hit->prim : ALD_NONE;
+	m->object = s.object;
+	m->interior = s.interior;
+	m->flags = s.flags;
+	m->light_set = s.light_set;
+	m->first_part = t->part.count;
+	m->first_layer = t->layer.count;
+	m->first_gather = t->gather.count;
+	l.m = m;
+	l.bent = m->ns;
 	if (from_inside && s.interior_texture != SCENE_NONE) {
 		add_texture(&l, &s, s.interior_texture, s.interior_texture_place, 1);
 	} else if (surface_is_even(&s)) {
@@ -256,12 +267,11 @@ void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald
 				add_texture(&l, &s, s.texture[i], s.texture_place[i], s.bary[i]);
 		}
 	}
-	m.part_count = t->part.count - m.first_part;
-	m.layer_count = t->layer.count - m.first_layer;
-	*BUF_AT(&t->met, struct met, index) = m;
-	BUF_AT(&t->node, struct node, node)->light_set = s.light_set;
-	BUF_AT(&t->node, struct node, node)->first_gather = m.first_gather;
-	BUF_AT(&t->node, struct node, node)->gather_count = t->gather.count - m.first_gather;
-	BUF_AT(&t->node, struct node, node)->first_part = m.first_part;
-	BUF_AT(&t->node, struct node, node)->part_count = m.part_count;
+	m->part_count = t->part.count - m->first_part;
+	m->layer_count = t->layer.count - m->first_layer;
+	n->light_set = s.light_set;
+	n->first_gather = m->first_gather;
+	n->gather_count = t->gather.count - m->first_gather;
+	n->first_part = m->first_part;
+	n->part_count = m->part_count;
 }

@@ -237,6 +237,8 @@ static enum status write_guarded(struct writer *w)
 	png_set_write_fn(w->png, w, on_write, on_flush);
 	png_set_user_limits(w->png, 0x7fffffff, 0x7fffffff);
 	png_set_compression_level(w->png, 3); /* a tenth larger than 6, in a third of the time */
+	/* Trying all filters on each row takes half more time, and files are as large: measured. */
+	png_set_filter(w->png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
 	png_set_IHDR(w->png, w->info, im->width, im->height, (int)job->bits,
 		     colour_type[w->pick.count - 1], PNG_INTERLACE_NONE,
 		     PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);

@@ -50,7 +50,7 @@ RADIOSITY = re.compile(r'\bradiosity\s*\{[^{}]*\}')
 HIGH = {'count': '1600', 'error_bound': '0.1', 'nearest_count': '10', 'pretrace_start': '0.08',
         'minimum_reuse': '0.002'}
 # Focal blur is its own anti-aliasing; the add-on's few rays are noise of up to 0.02.
-BLUR = {r'blur_samples\s+\d+(\s+\d+)?': 'blur_samples 200 400', r'variance\s+1/\d+': 'variance 1/65536',
+BLUR = {r'blur_samples\s+\d+(\s+\d+)?': 'blur_samples 600 600', r'variance\s+1/\d+': 'variance 1/10000000',
         r'confidence\s+[\d.]+': 'confidence 0.99'}
 EXPONENT = re.compile(r'\bexponent\s+[-+.\deE]+')
 MOST_VOID = 0.03 # of a picture of POV-Ray's may be no numbers

@@ -21,6 +21,8 @@
 #include "shade/pov/shadow.h"
 
 #define GATHER_SLOT 0x500000000u /* of a node's random numbers; two for each gather */
+#define ROULETTE_SLOT 0x600000000u /* the same, for each child */
+#define FOLLOWED 2 /* times its share is the chance that a child is followed */
 #define TRIES 32
 #define LEAST_PIXELS 2 /* a record's radius */
 #define PI 3.14159265358979323846
@@ -57,6 +59,24 @@ struct indirect_part indirect_part(const struct shader *sh, const struct node *n
 static bool same(vec a, vec b)
 {
 	return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+/*
+ * Every surface that mirrors asks for two rays or more, so that a path of several bounces becomes a large tree,
+ * which brings little: a path is one sample of hundreds. Paths of one set share their keys and differ by their
+ * numbers, so the chances are stratified over them. max_sample is no mean: light has to come as evenly as it can.
+ */
+bool indirect_follow(const struct shader *sh, const struct node *n, uint64_t slot, double share, double *scale)
+{
+	double chance = FOLLOWED * share;
+	struct sobol s;
+
+	*scale = 1;
+	if (!n->bounce || !(chance < 1) || sh->scene->radiosity.max_sample > 0)
+		return true;
+	*scale = 1 / chance;
+	s = sobol_make(rng_child(n->key, ROULETTE_SLOT + slot));
+	return sobol_at(&s, n->path, 0) < chance;
 }
 
 /* The hit's gather around this normal, made if there is none. */
@@ -179,14 +199,19 @@ static void ask_cache(const struct shader *sh, const struct node *n, const struc
 	g->pixel = in->pixel + in->pixel_angle * (n->way + m->t);
 }
 
-static uint32_t gather_size(const struct shader *sh, const struct node *n, const struct gather *g)
+static uint32_t gather_size(const struct shader *sh, const struct node *n, struct gather *g, uint64_t slot)
 {
 	struct cache_grid grid;
+	double scale;
 
 	if (g->known)
 		return 0;
-	if (n->bounce)
+	if (n->bounce) {
+		if (!indirect_follow(sh, n, slot, rgb_max(g->factor), &scale))
+			return 0;
+		g->factor = rgb_scale(g->factor, scale);
 		return 1;
+	}
 	if (!g->recorded)
 		return ray_count(sh, n, g);
 	grid = cache_grid(sh->indirect.samples);
@@ -202,7 +227,7 @@ void indirect_spawn(const struct shader *sh, struct tree *t, const struct met *m
 
 		if (sh->indirect.cache && !n->bounce)
 			ask_cache(sh, n, m, g);
-		g->count = gather_size(sh, n, g);
+		g->count = gather_size(sh, n, g, GATHER_SLOT + i);
 		if (!g->count)
 			continue;
 		g->replications = n->bounce ? 1 : sh->indirect.replications;

@@ -34,6 +34,11 @@ struct rgb indirect_fold(const struct radiosity *, const struct tree *, const st
 void indirect_record(const struct radiosity *, const struct indirect *, struct tree *, const struct node *,
 		     uint32_t slot);
 
+/* Whether a gathered ray is followed to a child that would show share of its colour, by chance: the faint ones
+ * seldom, and what they bring then counts *scale times, so that the mean stays. slot: of the node's random numbers,
+ * any for each child. Camera rays always are. */
+bool indirect_follow(const struct shader *, const struct node *, uint64_t slot, double share, double *scale);
+
 /* Unit direction number index of a family, cosine-weighted around normal. */
 vec indirect_direction(vec normal, uint32_t index, uint64_t key);
 

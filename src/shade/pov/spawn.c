@@ -158,6 +158,7 @@ static void spawn_through(const struct shader *sh, struct tree *t, const struct 
 	const struct spawn ray = s;
 	struct crossing at;
 	uint32_t child;
+	double scale;
 
 	if (inside_contains(t, n->inside, m->object))
 		p->fade = interior_fade(sh->scene, m->interior, m->t);
@@ -174,6 +175,11 @@ static void spawn_through(const struct shader *sh, struct tree *t, const struct 
 		refract(&s, &ray, m, p->normal, at.ratio);
 	}
 	p->total = s.kind == NODE_REFLECTED;
+	if (!p->total) {
+		if (!indirect_follow(sh, n, s.slot, strongest(rgb_mul(p->filter, p->fade)), &scale))
+			return;
+		p->fade = rgb_scale(p->fade, scale);
+	}
 	child = add_node(sh, t, m, &s);
 	BUF_AT(&t->part, struct part, part)->through = child;
 }
@@ -181,7 +187,7 @@ static void spawn_through(const struct shader *sh, struct tree *t, const struct 
 static void spawn_mirror(const struct shader *sh, struct tree *t, const struct met *m, uint32_t mirror,
 			 uint32_t slot)
 {
-	const struct mirror *r = BUF_AT(&t->mirror, struct mirror, mirror);
+	struct mirror *r = BUF_AT(&t->mirror, struct mirror, mirror);
 	const struct node *n = BUF_AT(&t->node, struct node, m->node);
 	struct spawn s = { .dir = mirrored(n->dir, r->normal, m->ns),
 			   .weight = r->weight,
@@ -189,8 +195,16 @@ static void spawn_mirror(const struct shader *sh, struct tree *t, const struct m
 			   .inside = n->inside,
 			   .band = n->band,
 			   .slot = 2 * (uint64_t)slot + 1 };
-	uint32_t child = add_node(sh, t, m, &s);
+	double scale;
+	uint32_t child;
 
+	/* An exponent bends what comes, which has to be there whole. */
+	if (r->exponent == 1) {
+		if (!indirect_follow(sh, n, s.slot, strongest(r->reflectivity), &scale))
+			return;
+		r->reflectivity = rgb_scale(r->reflectivity, scale);
+	}
+	child = add_node(sh, t, m, &s);
 	BUF_AT(&t->mirror, struct mirror, mirror)->child = child;
 }
 

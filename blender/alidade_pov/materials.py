@@ -426,7 +426,8 @@ class Materials:
             return default if socket is None else self.number(p, socket, default, socket.name)
         for what in ('anisotropic', 'sheen', 'thin_film', 'diffuse_roughness', 'specular_tint', 'coat_tint'):
             socket = find(what)
-            if socket is not None and self._says(socket):
+            coated = what != 'coat_tint' or self._says(find('coat'))
+            if socket is not None and self._says(socket) and coated:
                 self.losses.lost(self.where, socket.name, node.name, 'left out')
         socket = find('transmission_roughness')
         if socket is not None and getattr(node, 'distribution', '') == 'GGX' and self._says(socket):

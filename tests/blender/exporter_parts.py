@@ -13,8 +13,9 @@ import zlib
 import numpy as np
 
 sys.path.insert(0, sys.argv[1])
-text, pictures, versions, geometry, images, visible, lossy, relief = (importlib.import_module('alidade_pov.' + n) for n in (
-    'text', 'pictures', 'versions', 'geometry', 'images', 'visible', 'losses', 'relief'))
+text, pictures, versions, geometry, images, visible, lossy, relief, materials, paints, trees = (importlib.import_module('alidade_pov.' + n) for n in (
+    'text', 'pictures', 'versions', 'geometry', 'images', 'visible', 'losses', 'relief', 'materials',
+    'paints', 'values'))
 
 
 def check(name, good, why=''):
@@ -147,6 +148,56 @@ check('a lamp of 4.5: exposure and temperature', versions.lamp_factor(Socket()) 
       and versions.lamp_factor(Socket(exposure=1.0, use_temperature=True, temperature_color=(1, 0.5, 0.25))) == [2, 1, 0.5]
       and versions.lamp_factor(Socket(use_temperature=False, temperature_color=(1, 0.5, 0.25))) == [1, 1, 1])
 check('or its energy by area', versions.lamp_is_normalized(Socket()) and not versions.lamp_is_normalized(Socket(normalize=False)))
+
+
+
+# The Principled BSDF whole, as 3.4 and as 4.2 have it.
+class Inputs(list):
+    def get(self, name):
+        return next((s for s in self if s.name == name), None)
+
+
+def surface(version, **inputs):
+    sockets = Inputs()
+    for name, value in inputs.items():
+        kind = 'RGBA' if isinstance(value, tuple) and 'Normal' not in name else 'VECTOR' if isinstance(value, tuple) else 'VALUE'
+        sockets.append(Socket(name=name.replace('_', ' '), identifier=name, enabled=True, is_linked=False, links=[], type=kind,
+                              default_value=value))
+    fake = Socket(name='Principled BSDF', bl_idname='ShaderNodeBsdfPrincipled', inputs=sockets, distribution='GGX',
+                  id_data=Socket(name='tree'))
+    losses = lossy.Losses()
+    maker = materials.Materials(paints.Painter(None, losses), losses, version)
+    maker.where = 'Mat'
+    return maker.texture(maker.shader_BsdfPrincipled(trees.Place(fake, None)), materials.Look('T'))[0], losses.lost_lines()
+
+
+NEW = dict(Base_Color=(0.5, 0.5, 0.5, 1), Metallic=0.0, Roughness=0.0, IOR=1.5, Alpha=1.0, Normal=(0, 0, 0), Diffuse_Roughness=0.0,
+           Subsurface_Weight=0.0, Specular_IOR_Level=0.5, Specular_Tint=(1, 1, 1, 1), Anisotropic=0.0, Transmission_Weight=0.0,
+           Coat_Weight=0.0, Coat_Roughness=0.03, Coat_IOR=1.5, Coat_Tint=(1, 1, 1, 1), Sheen_Weight=0.0, Emission_Color=(1, 1, 1, 1),
+           Emission_Strength=0.0, Thin_Film_Thickness=0.0)
+OLD = dict(Base_Color=(0.5, 0.5, 0.5, 1), Subsurface=0.0, Subsurface_Color=(1, 1, 1, 1), Metallic=0.0, Specular=0.5, Specular_Tint=0.0,
+           Roughness=0.0, Anisotropic=0.0, Sheen=0.0, Clearcoat=0.0, Clearcoat_Roughness=0.03, IOR=1.45, Transmission=0.0,
+           Transmission_Roughness=0.0, Emission=(0, 0, 0, 1), Emission_Strength=1.0, Alpha=1.0, Normal=(0, 0, 0))
+before, after = surface((3, 4, 1), **OLD), surface((4, 2, 0), **NEW)
+check('the default Principled BSDF is the same in 3.4 and 4.2', before == after and not after[1]
+      and 'reflection { rgb <0.04,0.04,0.04>, rgb <1,1,1> falloff 5 }' in after[0] and 'emission' not in after[0], (before, after))
+for what, old_inputs, new_inputs, word in (
+        ('emission', {'Emission': (0.5, 0, 0, 1), 'Emission_Strength': 2.0}, {'Emission_Color': (0.5, 0, 0, 1), 'Emission_Strength': 2.0},
+         'emission rgb <2,0,0>'),
+        ('glass', {'Transmission': 1.0}, {'Transmission_Weight': 1.0, 'IOR': 1.45}, 'fresnel'),
+        ('alpha', {'Alpha': 0.5}, {'Alpha': 0.5}, 'rgbt <'),
+        ('coat', {'Clearcoat': 1.0}, {'Coat_Weight': 0.25}, 'reflection { rgb <0.05,0.05,0.05>'),
+        ('metal', {'Metallic': 1.0}, {'Metallic': 1.0}, 'reflection { rgb <0.5,0.5,0.5> }')):
+    before, after = surface((3, 4, 1), **dict(OLD, **old_inputs)), surface((4, 2, 0), **dict(NEW, **new_inputs))
+    check('Principled %s in 3.4 and 4.2' % what, before == after and word in after[0], (before, after))
+check('an IOR is what 4.2 reflects by', 'rgb <0.111111,' in surface((4, 2, 0), **dict(NEW, IOR=2.0))[0]
+      and 'rgb <0.04,' in surface((3, 4, 1), **dict(OLD, IOR=2.0))[0])
+for name, value in (('Specular_Tint', (1, 0, 0, 1)), ('Coat_Tint', (1, 0, 0, 1)), ('Sheen_Weight', 1.0), ('Anisotropic', 0.5),
+                    ('Diffuse_Roughness', 0.5), ('Thin_Film_Thickness', 300.0)):
+    lines = surface((4, 2, 0), **dict(NEW, Coat_Weight=1.0, **{name: value}))[1]
+    check('%s of 4.2 is told' % name.replace('_', ' '), lines == ['Mat, %s, Principled BSDF: left out' % name.replace('_', ' ')], lines)
+
+check('but no tint of a coat that is not there', not surface((4, 2, 0), **dict(NEW, Coat_Tint=(1, 0, 0, 1)))[1])
 
 # What rays see of an object, and what is done to a picture afterwards.
 losses = lossy.Losses()

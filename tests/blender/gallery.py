@@ -36,11 +36,19 @@ def export(folder, names):
     return found
 
 
+def read(path):
+    with open(path, encoding='utf-8') as file:
+        return file.read()
+
+
 def attempt(name, folder):
     outcome = breadth.Outcome(0)
     outcome.number, outcome.name = name, name
     try:
-        breadth.compare_ordinary(outcome, os.path.join(folder, name, 'scene.pov'), folder)
+        base = os.path.join(folder, name)
+        breadth.direct(outcome, read(os.path.join(base, 'scene.pov')), base)
+        if not os.environ.get('ALIDADE_BREADTH_DIRECT'):
+            breadth.indirect(outcome, read(os.path.join(base, 'hard.pov')), base)
     except (renderers.Failed, picture.Unreadable, OSError, subprocess.TimeoutExpired) as failure:
         outcome.problem = str(failure)
     except Exception:

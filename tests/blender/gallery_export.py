@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Alidade authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Export scenes of the gallery with our own exporter, each into a folder of its own: run by gallery.py. Soft lamps have 3 x 3
-points: with 9 x 9 POV-Ray at high quality takes hours.
+"""Export scenes of the gallery with our own exporter, each into a folder of its own: run by gallery.py.
+scene.pov is as users get it; hard.pov has lamps without size, as with their 9 x 9 points POV-Ray's indirect light at high
+quality takes hours.
 
     blender -b --factory-startup -P gallery_export.py -- BLENDER-FOLDER OUT NAME...
 """
@@ -21,7 +22,8 @@ try:
     for name in names or gallery.SCENES:
         os.makedirs(os.path.join(out, name), exist_ok=True)
         gallery.SCENES[name]()
-        engine.export(bpy.context.scene, os.path.join(out, name, 'scene.pov'), engine.Options(strict=True, lamp_grid=3))
+        for file, settings in (('scene.pov', {}), ('hard.pov', {'lamp_grid': 1})):
+            engine.export(bpy.context.scene, os.path.join(out, name, file), engine.Options(strict=True, **settings))
         print('exported %s' % name)
 except Exception:
     import traceback

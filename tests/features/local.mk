@@ -30,6 +30,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/dispersion-total.pov \
 	tests/features/diffuse-back.pov \
 	tests/features/diffuse.pov \
+	tests/features/brick-edges.pov \
 	tests/features/bump-glass.pov \
 	tests/features/bump-map.pov \
 	tests/features/fade-power.pov \
@@ -141,6 +142,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/dispersion-total.exr \
 	tests/features/diffuse-back.exr \
 	tests/features/diffuse.exr \
+	tests/features/brick-edges.exr \
 	tests/features/bump-glass.exr \
 	tests/features/bump-map.exr \
 	tests/features/fade-power.exr \

@@ -112,7 +112,7 @@ static bool brick_word(struct pov *p, struct pattern_draft *d)
 
 	if (pov_token(p) == TOK_MORTAR) {
 		number_word(p, d, PATTERN_BRICK, &q->of.brick.mortar);
-		q->of.brick.mortar -= PATTERN_BRICK_GAP;
+		q->of.brick.mortar = pattern_mortar(q->of.brick.mortar);
 		return true;
 	}
 	if (!d->given || q->kind != PATTERN_BRICK)

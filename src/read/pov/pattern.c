@@ -269,7 +269,7 @@ static void defaults(struct pattern *q)
 		break;
 	case PATTERN_BRICK:
 		q->of.brick.size = vec_make(8, 3, 4.5);
-		q->of.brick.mortar = 0.5 - PATTERN_BRICK_GAP;
+		q->of.brick.mortar = pattern_mortar(0.5);
 		break;
 	case PATTERN_CRACKLE:
 		q->of.crackle.form = vec_make(-1, 1, 0);

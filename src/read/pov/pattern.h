@@ -8,7 +8,12 @@
 
 #include "read/pov/items.h"
 
-#define PATTERN_BRICK_GAP 2e-10 /* POV-Ray takes this off the mortar */
+/* Measured: POV-Ray takes a little off the mortar and keeps it in single precision, so that it is a little
+ * more than 0.3 but just 0.5. */
+static inline double pattern_mortar(double given)
+{
+	return (float)(given - 2e-10);
+}
 
 enum pattern_use { IN_PIGMENT = 1, IN_NORMAL = 2, IN_TEXTURE = 4, IN_DENSITY = 8 };
 

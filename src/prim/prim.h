@@ -26,8 +26,9 @@ struct prim {
 	struct mat from; /* own to level; linear part only */
 	double a, b; /* cone: mean radius and half the growth; torus: minor radius; disc: hole;
 			superellipsoid: its powers */
-	vec half; /* box; a plane's normal */
-	double side[6]; /* box: along the columns of to, which are unit, where its faces are; like prim_plane.d */
+	vec half; /* box; a plane's normal, that of a cone's ends, a disc's */
+	double side[6]; /* like prim_plane.d, where these are: a box's faces along the columns of to, which
+			   are unit; a cone's ends; a disc */
 	ald_box box; /* grown, as the accelerator sees it; a body has none */
 	const void *data; /* of a body, see body.h */
 	uint32_t node; /* in constructive solid geometry, see csg.h; SCENE_NONE: all of the surface shows */

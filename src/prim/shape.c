@@ -150,6 +150,31 @@ static bool box_faces(struct prim *p, const struct object *o, const struct xform
 	return true;
 }
 
+/* A cone's two ends, or a disc. */
+static bool flat_ends(struct prim *p, const struct object *o, const struct xform *place, vec shift,
+		      double scale)
+{
+	struct object face = { .kind = SHAPE_PLANE };
+	vec n = o->kind == SHAPE_DISC ? o->shape.disc.normal :
+					vec_sub(o->shape.cone.apex, o->shape.cone.base);
+	struct prim_plane plane;
+
+	n = vec_scale(n, 1 / vec_length(n));
+	face.shape.plane.normal = n;
+	for (unsigned side = 0; side < 2; side++) {
+		vec at = o->kind == SHAPE_DISC ? o->shape.disc.centre :
+			 side			? o->shape.cone.apex :
+						  o->shape.cone.base;
+
+		face.shape.plane.distance = vec_dot(n, at);
+		if (!plane_make(&plane, &face, place, shift, scale))
+			return false;
+		p->side[side] = plane.d;
+	}
+	p->half = plane.n;
+	return true;
+}
+
 bool prim_make(struct prim *p, const struct object *o, const struct xform *place, vec shift,
 	       double scale, double size, double pad)
 {
@@ -158,7 +183,9 @@ bool prim_make(struct prim *p, const struct object *o, const struct xform *place
 	*p = (struct prim){ .kind = o->kind, .node = SCENE_NONE };
 	m = canonical(p, o);
 	if (!prim_frame(p, &m, place, shift, scale) || !isfinite(p->a) || !isfinite(p->b) ||
-	    (o->kind == SHAPE_BOX && !box_faces(p, o, place, shift, scale)) || !vec_finite(p->half))
+	    (o->kind == SHAPE_BOX && !box_faces(p, o, place, shift, scale)) ||
+	    ((o->kind == SHAPE_CONE || o->kind == SHAPE_DISC) && !flat_ends(p, o, place, shift, scale)) ||
+	    !vec_finite(p->half))
 		return false;
 	for (unsigned k = 0; k < 3; k++) {
 		double up = ops_of(p)->reach(p, k, true), down = ops_of(p)->reach(p, k, false);
@@ -210,8 +237,16 @@ void prim_crossings(const struct prim *p, const ald_ray *r, struct prim_roots *r
 	if (!prim_line(p, r, &l))
 		return;
 	ops_of(p)->roots(p, l.o, l.d, roots);
-	for (uint32_t i = 0; i < roots->count; i++)
-		roots->t[i] += l.slide;
+	for (uint32_t i = 0; i < roots->count; i++) {
+		bool flat = p->kind == SHAPE_DISC || (p->kind == SHAPE_CONE && roots->part[i]);
+		uint32_t side = roots->part[i] == 2;
+
+		/* As box_crossings(): as near as a plane there, to the bit. */
+		if (flat)
+			roots->t[i] = (p->side[side] - vec_dot(p->half, r->org)) / vec_dot(p->half, r->dir);
+		else
+			roots->t[i] += l.slide;
+	}
 }
 
 int prim_intersect(const struct prim *p, uint32_t id, const ald_ray *r, ald_hit *hit)

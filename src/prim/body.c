@@ -10,6 +10,8 @@ const struct body_ops *body_ops_of(enum shape_kind kind)
 		return &blob_ops;
 	case SHAPE_LATHE:
 		return &lathe_ops;
+	case SHAPE_PRISM:
+		return &prism_ops;
 	case SHAPE_SWEEP:
 		return &sweep_ops;
 	default:

@@ -12,6 +12,7 @@
  * D^2 y'^2 (r^2 - h^2) = dy^2 r^2 r'^2, of degree 10 for cubics. Pieces share their ends to the bit.
  */
 #include "prim/body.h"
+#include "prim/curve.h"
 #include "prim/poly.h"
 
 struct curve {
@@ -330,7 +331,7 @@ static uint32_t count_pieces(const struct lathe *l)
 	return l->count > less[l->kind] ? l->count - less[l->kind] : 0;
 }
 
-static void term(enum lathe_kind kind, const double p[4], double c[4], double end[2])
+void curve_term(enum lathe_kind kind, const double p[4], double c[4], double end[2])
 {
 	end[0] = p[kind == LATHE_QUADRATIC || kind == LATHE_CUBIC];
 	end[1] = p[kind == LATHE_LINEAR ? 1 : kind == LATHE_BEZIER ? 3 : 2];
@@ -358,8 +359,6 @@ static void term(enum lathe_kind kind, const double p[4], double c[4], double en
 
 static void lathe_make(const struct scene *s, const struct object *o, void *data)
 {
-	static const unsigned degree[] = { [LATHE_LINEAR] = 1, [LATHE_QUADRATIC] = 2, [LATHE_CUBIC] = 3,
-					   [LATHE_BEZIER] = 3 };
 	const struct lathe *l = &s->lathe[o->shape.lathe.index];
 	struct prim_lathe *out = data;
 	double r = 0, lo = ALD_INF, hi = -ALD_INF;
@@ -380,9 +379,9 @@ static void lathe_make(const struct scene *s, const struct object *o, void *data
 			p[0][k] = l->point[first + k][0] / out->head.size;
 			p[1][k] = (l->point[first + k][1] - out->head.centre.y) / out->head.size;
 		}
-		c->n = degree[l->kind];
-		term(l->kind, p[0], c->r, c->end_r);
-		term(l->kind, p[1], c->y, c->end_y);
+		c->n = curve_degree(l->kind);
+		curve_term(l->kind, p[0], c->r, c->end_r);
+		curve_term(l->kind, p[1], c->y, c->end_y);
 	}
 }
 

@@ -5,6 +5,7 @@ src_libalidade_la_SOURCES += \
 	src/prim/compile.c src/prim/compile.h \
 	src/prim/cone.c \
 	src/prim/csg.c src/prim/csg.h \
+	src/prim/curve.h \
 	src/prim/disc.c \
 	src/prim/lathe.c \
 	src/prim/layout.c src/prim/layout.h \
@@ -12,6 +13,7 @@ src_libalidade_la_SOURCES += \
 	src/prim/plane.c \
 	src/prim/poly.c src/prim/poly.h \
 	src/prim/prim.h \
+	src/prim/prism.c \
 	src/prim/shape.c \
 	src/prim/sphere.c \
 	src/prim/superellipsoid.c \

@@ -36,6 +36,7 @@ src_libalidade_la_SOURCES += \
 	src/read/pov/pattern.c src/read/pov/pattern.h \
 	src/read/pov/pigment.c \
 	src/read/pov/pov.c \
+	src/read/pov/prism.c \
 	src/read/pov/program.c src/read/pov/program.h \
 	src/read/pov/picture.c src/read/pov/picture.h \
 	src/read/pov/radiosity.c \

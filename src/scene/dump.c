@@ -247,6 +247,9 @@ static void dump_shape(const struct object *o, FILE *to)
 	case SHAPE_LATHE:
 		fprintf(to, " lathe %u", o->shape.lathe.index);
 		break;
+	case SHAPE_PRISM:
+		fprintf(to, " prism %u", o->shape.prism.index);
+		break;
 	case SHAPE_BLOB:
 		fprintf(to, " blob %u", o->shape.blob);
 		break;

@@ -64,6 +64,7 @@ void scene_release(struct scene *s)
 	mem_free(s->sweep);
 	mem_free(s->blob);
 	mem_free(s->lathe);
+	mem_free(s->prism);
 	mem_free(s->object);
 	arena_release(&s->arena);
 }
@@ -213,6 +214,20 @@ uint32_t scene_add_lathe(struct scene *s, uint32_t points)
 	s->lathe = p;
 	if (i != SCENE_NONE)
 		s->lathe[i] = (struct lathe){ .count = points, .point = point };
+	return i;
+}
+
+uint32_t scene_add_prism(struct scene *s, uint32_t points)
+{
+	void *point = arena_zalloc(&s->arena, mem_product(points, sizeof(*s->prism->point))), *p = s->prism;
+	uint32_t i;
+
+	if (!point)
+		return SCENE_NONE;
+	i = grow(s, &p, &s->prism_count, &s->prism_room, sizeof(*s->prism));
+	s->prism = p;
+	if (i != SCENE_NONE)
+		s->prism[i] = (struct prism){ .count = points, .point = point };
 	return i;
 }
 
@@ -386,6 +401,13 @@ static uint64_t hash_shapes(uint64_t h, const struct scene *s)
 	for (uint32_t i = 0; i < s->lathe_count; i++) {
 		h = HASH(h, s->lathe[i].kind);
 		h = hash_words(h, s->lathe[i].point, s->lathe[i].count * sizeof(*s->lathe[i].point));
+	}
+	for (uint32_t i = 0; i < s->prism_count; i++) {
+		const struct prism *p = &s->prism[i];
+
+		h = HASH(HASH(HASH(h, p->kind), p->conic), p->open);
+		h = HASH(HASH(h, p->lo), p->hi);
+		h = hash_words(h, p->point, p->count * sizeof(*p->point));
 	}
 	for (uint32_t i = 0; i < s->blob_count; i++)
 		h = hash_blob(h, &s->blob[i]);

@@ -153,6 +153,15 @@ struct lathe {
 	double (*point)[2]; /* in the arena */
 };
 
+/* Curves in the plane of x and z, swept from height lo to hi; conic: they lie at height 1 and shrink towards 0. */
+struct prism {
+	enum lathe_kind kind;
+	bool conic, open; /* open: without its ends */
+	double lo, hi;
+	uint32_t count; /* four points for each piece of a curve, of which simpler kinds ignore the last */
+	double (*point)[2]; /* in the arena */
+};
+
 enum shape_kind {
 	SHAPE_MESH,
 	SHAPE_SPHERE,
@@ -165,6 +174,7 @@ enum shape_kind {
 	SHAPE_SWEEP,
 	SHAPE_BLOB,
 	SHAPE_LATHE,
+	SHAPE_PRISM,
 	SHAPE_UNION, /* this and those below have children */
 	SHAPE_MERGE,
 	SHAPE_INTERSECTION, /* a difference is one with inverses */
@@ -229,6 +239,9 @@ struct object {
 		struct {
 			uint32_t index, pieces; /* of scene.lathe; how many curves it is made of */
 		} lathe;
+		struct {
+			uint32_t index; /* of scene.prism */
+		} prism;
 	} shape;
 	struct diag_pos pos;
 };
@@ -307,6 +320,8 @@ struct scene {
 	struct sweep *sweep;
 	uint32_t lathe_count, lathe_room;
 	struct lathe *lathe;
+	uint32_t prism_count, prism_room;
+	struct prism *prism;
 	uint32_t blob_count, blob_room;
 	struct blob *blob;
 	uint32_t object_count, object_room;
@@ -328,6 +343,7 @@ uint32_t scene_add_interior(struct scene *);
 uint32_t scene_add_mesh(struct scene *);
 uint32_t scene_add_sweep(struct scene *, uint32_t points);
 uint32_t scene_add_lathe(struct scene *, uint32_t points);
+uint32_t scene_add_prism(struct scene *, uint32_t points);
 uint32_t scene_add_blob(struct scene *, uint32_t parts);
 uint32_t scene_add_object(struct scene *);
 struct picture *scene_add_picture(struct scene *);

@@ -98,6 +98,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/soft-lamp-round.pov \
 	tests/features/soft-lamp-spot.pov \
 	tests/features/soft-lamp.pov \
+	tests/features/prisms.pov \
 	tests/features/solids.pov \
 	tests/features/spot.pov \
 	tests/features/superellipsoids.pov \
@@ -207,6 +208,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/soft-focus-scaled.exr \
 	tests/features/soft-focus-spherical.exr \
 	tests/features/soft-focus.exr \
+	tests/features/prisms.exr \
 	tests/features/solids.exr \
 	tests/features/spot.exr \
 	tests/features/superellipsoids.exr \

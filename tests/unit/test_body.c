@@ -328,18 +328,46 @@ static void add_lathe(struct world *w, enum lathe_kind kind, double size, bool h
 	}
 }
 
+/* A ring of pieces, with a hole of others. */
+static void add_prism(struct world *w, enum lathe_kind kind, double size, bool conic, uint64_t *seed)
+{
+	struct object *o = add(w, SHAPE_PRISM);
+	uint32_t n = 6, i = scene_add_prism(&w->scene, 2 * 4 * n);
+	double ring[9][2];
+	struct prism *p = &w->scene.prism[i];
+
+	o->shape.prism.index = i;
+	p->kind = kind;
+	p->conic = conic;
+	p->lo = conic ? 0.4 * size : -0.3 * size;
+	p->hi = size;
+	for (uint32_t curve = 0; curve < 2; curve++) {
+		for (uint32_t k = 0; k < 9; k++) {
+			double a = 6.283185307179586 * (k % n) / n;
+			double r = (curve ? 0.3 : 1.2) * (0.7 + 0.3 * uniform(seed));
+
+			ring[k][0] = k < n ? (conic ? 1 : size) * r * cos(a) : ring[k - n][0];
+			ring[k][1] = k < n ? (conic ? 1 : size) * r * sin(a) : ring[k - n][1];
+		}
+		for (uint32_t k = 0; k < 4 * n; k++) {
+			p->point[curve * 4 * n + k][0] = ring[k / 4 + k % 4][0];
+			p->point[curve * 4 * n + k][1] = ring[k / 4 + k % 4][1];
+		}
+	}
+}
+
 /* Rays of all kinds; level, upright, and through the axis too. */
-static void lathes_are_closed(void **state)
+static void are_closed(void (*make)(struct world *, enum lathe_kind, double size, bool, uint64_t *seed),
+		       bool both)
 {
 	uint64_t seed = 10;
 
-	(void)state;
 	for (unsigned n = 0; n < 16; n++) {
 		double size = pow(10, 4.0 * (n / 4) - 6);
 		struct world w;
 
 		begin(&w);
-		add_lathe(&w, n & 1 ? LATHE_CUBIC : LATHE_LINEAR, size, true, &seed);
+		make(&w, n & 1 ? LATHE_CUBIC : LATHE_LINEAR, size, !both || n & 2, &seed);
 		build(&w);
 		for (unsigned i = 0; i < 1500; i++) {
 			vec p = vec_scale(random_vec(&seed), 1.5 * size), d = random_unit(&seed);
@@ -364,6 +392,18 @@ static void lathes_are_closed(void **state)
 	}
 }
 
+static void lathes_are_closed(void **state)
+{
+	(void)state;
+	are_closed(add_lathe, false);
+}
+
+static void prisms_are_closed(void **state)
+{
+	(void)state;
+	are_closed(add_prism, true);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -373,6 +413,7 @@ int main(void)
 		cmocka_unit_test(blobs_are_closed),
 		cmocka_unit_test(blob_rays_leave),
 		cmocka_unit_test(lathes_are_closed),
+		cmocka_unit_test(prisms_are_closed),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

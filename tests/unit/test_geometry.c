@@ -72,6 +72,23 @@ static uint32_t some_lathe(struct world *w, enum lathe_kind kind, uint64_t *seed
 	return i;
 }
 
+/* Not quite a curve: pieces that end where others begin, or do not. */
+static uint32_t some_prism(struct world *w, enum lathe_kind kind, uint64_t *seed)
+{
+	uint32_t i = scene_add_prism(&w->scene, 16);
+	struct prism *p = &w->scene.prism[i];
+
+	p->kind = kind;
+	p->conic = kind == LATHE_CUBIC;
+	p->lo = -0.5;
+	p->hi = 0.7;
+	for (unsigned n = 0; n < 16; n++) {
+		p->point[n][0] = signed_uniform(seed);
+		p->point[n][1] = signed_uniform(seed);
+	}
+	return i;
+}
+
 static uint32_t some_blob(struct world *w, uint64_t *seed)
 {
 	uint32_t i = scene_add_blob(&w->scene, 5);
@@ -98,7 +115,7 @@ static void crowd(struct world *w, double size)
 	shell_sphere(&shell, 6, 1000, 0.2, &seed);
 	shared = shell_mesh(w);
 	once = shell_mesh(w);
-	for (unsigned i = 0; i < 77; i++) {
+	for (unsigned i = 0; i < 7 * SHAPE_UNION; i++) {
 		enum shape_kind kind = (enum shape_kind)(i % SHAPE_UNION);
 		struct object *o = add(w, kind);
 
@@ -106,7 +123,7 @@ static void crowd(struct world *w, double size)
 		o->place = i & 8 ? o[-8].place : some_place(&seed, i, size);
 		o->flags = i % 7 == 3 ? OBJECT_NO_IMAGE : i % 7 == 5 ? OBJECT_NO_SHADOW : 0;
 		if (kind == SHAPE_MESH)
-			o->shape.mesh = i == 44 ? once : shared;
+			o->shape.mesh = i == 4 * SHAPE_UNION ? once : shared;
 		else if (kind == SHAPE_SPHERE)
 			o->shape.sphere.radius = 1;
 		else if (kind == SHAPE_BOX)
@@ -126,6 +143,8 @@ static void crowd(struct world *w, double size)
 			o->shape.superellipsoid.a = 0.5 + i / 100.0, o->shape.superellipsoid.b = 1.5;
 		if (kind == SHAPE_LATHE)
 			o->shape.lathe.index = some_lathe(w, i & 16 ? LATHE_CUBIC : LATHE_LINEAR, &seed);
+		if (kind == SHAPE_PRISM)
+			o->shape.prism.index = some_prism(w, i & 16 ? LATHE_CUBIC : LATHE_LINEAR, &seed);
 		if (kind == SHAPE_BLOB)
 			o->shape.blob = some_blob(w, &seed);
 		if (kind == SHAPE_SWEEP)

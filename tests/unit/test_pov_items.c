@@ -497,7 +497,8 @@ static void test_unsupported(void **unused)
 {
 	static const char *const row[][2] = {
 		{ "isosurface { function { x } }", "1:1: error: isosurface is" },
-		{ "prism { linear_spline 0, 1, 4, <0,0>, <1,1>, <1,0>, <0,0> }", "1:1: error: prism is" },
+		{ "prism { 0, 1, 4, <0,0>, <1,1>, <1,0>, <0,0> pigment { uv_mapping checker rgb 0 rgb 1 } }",
+		  "1:1: error: uv_mapping of a prism is" },
 		{ "lathe { linear_spline 2, <0,0>, <1,1> pigment { uv_mapping checker rgb 0 rgb 1 } }",
 		  "1:1: error: uv_mapping of a lathe is" },
 		{ "text { ttf \"a.ttf\" \"Hi\" 1, 0 }", "1:1: error: text is" },

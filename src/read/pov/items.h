@@ -216,6 +216,7 @@ struct pov_object *pov_read_triangle(struct pov *, const struct diag_pos *at, bo
 /* The numbers of shapes that have a file of their own. */
 void pov_read_sweep(struct pov *, struct object *);
 void pov_read_lathe(struct pov *, struct object *);
+void pov_read_prism(struct pov *, struct object *);
 struct pov_object *pov_read_blob(struct pov *, struct pov_object *);
 /* Any object; not one: NULL and nothing read, or after an error. */
 struct pov_object *pov_read_object(struct pov *);

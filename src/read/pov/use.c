@@ -193,12 +193,15 @@ static bool use_blob(struct pov *p, struct pov_blob *b, bool uv, const struct xf
 	return !pov_failed(p);
 }
 
-/* A lathe has surface coordinates of its own, which are not there yet. */
+/* Lathes and prisms have surface coordinates of their own, which are not there yet. */
 static bool check_uv(struct pov *p, const struct pov_object *o, uint32_t texture)
 {
-	if (o->object.kind != SHAPE_LATHE || texture == SCENE_NONE || !pov_scene(p)->texture[texture].wants_uv)
+	bool lathe = o->object.kind == SHAPE_LATHE;
+
+	if ((!lathe && o->object.kind != SHAPE_PRISM) || texture == SCENE_NONE ||
+	    !pov_scene(p)->texture[texture].wants_uv)
 		return true;
-	return pov_unsupported(p, &o->object.pos, "uv_mapping of a lathe", NULL);
+	return pov_unsupported(p, &o->object.pos, lathe ? "uv_mapping of a lathe" : "uv_mapping of a prism", NULL);
 }
 
 /* Flags, textures and interior of a shape that is no union. */

@@ -125,9 +125,11 @@ static bool wall_next(const struct prim_prism *p, const struct wall *w, vec o, v
 	return best < ALD_INF;
 }
 
-static bool prism_next(const struct prim *q, uint32_t piece, vec o, vec d, double from, struct body_root *out)
+static bool prism_next(const struct prim *q, uint32_t piece, const struct prim_line *line, double from,
+		       struct body_root *out)
 {
 	const struct prim_prism *p = q->data;
+	vec o = line->o, d = line->d;
 	double h, t, s;
 
 	if (piece < p->walls)

@@ -12,7 +12,7 @@
  * more than 0.3 but just 0.5. */
 static inline double pattern_mortar(double given)
 {
-	return (float)(given - 2e-10);
+	return (double)(float)(given - 2e-10);
 }
 
 enum pattern_use { IN_PIGMENT = 1, IN_NORMAL = 2, IN_TEXTURE = 4, IN_DENSITY = 8 };

@@ -111,7 +111,9 @@ uint32_t geometry_inside(const struct geometry *g, vec p, struct solid *solid, u
 	for (uint32_t i = 0; i < g->set.leaf_count; i++) {
 		const struct prim_leaf *f = &g->set.leaf[i];
 
-		if (f->cut || !(f->node == SCENE_NONE ? leaf_holds(g, f, level) : csg_holds(g, i, level)))
+		if (f->cut || f->flags & OBJECT_PROJECTED)
+			continue;
+		if (!(f->node == SCENE_NONE ? leaf_holds(g, f, level) : csg_holds(g, i, level)))
 			continue;
 		if (f->node != SCENE_NONE && has_solid(solid, n < room ? n : room, f->solid))
 			continue;

@@ -24,7 +24,8 @@ enum trace_mask {
 	TRACE_SHADOW_OPAQUE = 8, /* casts shadows, lets no light through */
 	TRACE_SHADOW_CLEAR = 16, /* casts shadows, lets some light through */
 	TRACE_GATHER = 32, /* of indirect light: not no_radiosity */
-	TRACE_GATHER_REFLECTED = 64 /* neither no_radiosity nor no_reflection */
+	TRACE_GATHER_REFLECTED = 64, /* neither no_radiosity nor no_reflection */
+	TRACE_PROJECTED = 128 /* what lights are projected through, and nothing else */
 };
 
 struct geometry; /* opaque; made by geometry_build() */

@@ -16,7 +16,7 @@
 
 #define FLAT_FLAGS                                                                                 \
 	(OBJECT_NO_SHADOW | OBJECT_NO_IMAGE | OBJECT_NO_REFLECTION | OBJECT_HOLLOW |              \
-	 OBJECT_DOUBLE_ILLUMINATE | OBJECT_NO_RADIOSITY)
+	 OBJECT_DOUBLE_ILLUMINATE | OBJECT_NO_RADIOSITY | OBJECT_PROJECTED)
 
 struct walk { /* what a union hands down */
 	struct xform place;

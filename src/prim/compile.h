@@ -25,7 +25,8 @@ enum prim_mask {
 	PRIM_SHADOW_OPAQUE = 8,
 	PRIM_SHADOW_CLEAR = 16,
 	PRIM_GATHER = 32,
-	PRIM_GATHER_REFLECTED = 64
+	PRIM_GATHER_REFLECTED = 64,
+	PRIM_PROJECTED = 128
 };
 
 struct prim_leaf { /* an object that is no union, with all that it inherits */

@@ -20,6 +20,8 @@ static unsigned leaf_mask(unsigned flags)
 {
 	unsigned m = PRIM_OTHER;
 
+	if (flags & OBJECT_PROJECTED)
+		return PRIM_PROJECTED;
 	if (!(flags & OBJECT_NO_IMAGE))
 		m |= PRIM_CAMERA;
 	if (!(flags & OBJECT_NO_REFLECTION))

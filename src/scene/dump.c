@@ -117,6 +117,7 @@ static void dump_light(const struct light *l, uint32_t i, unsigned what, FILE *t
 		put_word(to, "fade_power", l->fade_power);
 	}
 	put_index(to, "group", l->group);
+	fputs(l->projected ? " projected" : "", to);
 	end_line(to, what, &l->pos);
 }
 
@@ -267,7 +268,7 @@ static void dump_shape(const struct object *o, FILE *to)
 static void dump_flags(unsigned flags, FILE *to)
 {
 	static const char *const word[] = { "no_shadow", "no_image", "no_reflection", "hollow",
-					    "double_illuminate", "inverse", "no_radiosity" };
+					    "double_illuminate", "inverse", "no_radiosity", "projected" };
 
 	for (unsigned i = 0; i < sizeof(word) / sizeof(word[0]); i++) {
 		if (flags & 1u << i)

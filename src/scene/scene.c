@@ -351,6 +351,7 @@ static uint64_t hash_light(uint64_t h, const struct light *l)
 {
 	h = HASH(h, l->kind);
 	h = HASH(h, l->group);
+	h = HASH(h, l->projected);
 	h = HASH(h, l->no_media);
 	h = HASH(h, l->attenuated);
 	h = hash_bytes(h, &l->parallel, 7); /* the flags stand together */

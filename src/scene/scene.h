@@ -73,6 +73,7 @@ struct light {
 	double radius, falloff; /* spot: degrees; cylinder: units */
 	double tightness;
 	double fade_distance, fade_power; /* no fading unless both are > 0 */
+	bool projected; /* it shines only where an OBJECT_PROJECTED is between, and shadows count from there */
 	uint32_t group; /* of light_group; SCENE_NONE: it shines on all that is in no group */
 	struct diag_pos pos;
 };
@@ -189,7 +190,8 @@ enum object_flag {
 	OBJECT_DOUBLE_ILLUMINATE = 16,
 	/* Outside in. With children: each of them is, and the kind is already what that makes of it */
 	OBJECT_INVERSE = 32,
-	OBJECT_NO_RADIOSITY = 64 /* rays that gather indirect light do not see it */
+	OBJECT_NO_RADIOSITY = 64, /* rays that gather indirect light do not see it */
+	OBJECT_PROJECTED = 128 /* nobody sees it: only its light goes through it (projected_through) */
 };
 
 struct object {
@@ -203,7 +205,7 @@ struct object {
 	uint32_t solid; /* leaves of an equal number are one solid for refraction: POV-Ray tells solids
 			   apart by their interiors, and a union's is shared; SCENE_NONE: by itself */
 	unsigned flags; /* enum object_flag; a parent's are added */
-	uint32_t light_set; /* SCENE_NONE: lit by the lights in no group. Leaves only */
+	uint32_t light_set; /* SCENE_NONE: lit by the lights in no group; OBJECT_PROJECTED: the light. Leaves only */
 	uint32_t first_child, next_sibling; /* unions and the like; SCENE_NONE ends */
 	uint32_t first_clip; /* clipped_by: chained siblings, in the parent's coordinates; only what lies in
 				all of them is there */

@@ -20,6 +20,8 @@ void shader_init(struct shader *sh, const struct scene *s, const struct geometry
 	for (uint32_t i = 0; i < s->interior_count && !sh->media; i++)
 		sh->media = s->interior[i].media_count > 0;
 	sh->fog = s->fog_count > 0;
+	for (uint32_t i = 0; i < s->light_count; i++)
+		sh->projected |= s->light[i].projected;
 	sh->insides = sh->translucent || sh->media || sh->fog;
 	shade_sky_init(sh);
 }

@@ -41,6 +41,7 @@ struct shader {
 	bool media; /* something fills solids or the world */
 	struct indirect indirect; /* method is INDIRECT_OFF unless the scene asks for radiosity */
 	bool fog;
+	bool projected; /* some light is projected through something */
 	uint32_t soft_rounds; /* how often jittered lights are asked for, at most */
 	bool insides; /* what rays are inside of is followed from the camera on */
 	struct open_sky {

@@ -144,6 +144,8 @@ struct shadow {
 	uint32_t skip, inside;
 	bool air; /* fog and what else fills the world takes from it */
 	bool vacuum; /* media take nothing from it */
+	bool shadowless; /* nothing hides it */
+	uint32_t projector; /* the light that has to come through something first, or SCENE_NONE */
 	struct rgb colour; /* in: unshadowed; out: what arrives */
 };
 

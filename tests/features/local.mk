@@ -85,6 +85,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/opaque-outside.pov \
 	tests/features/orthographic.pov \
 	tests/features/parallel.pov \
+	tests/features/projected-through.pov \
 	tests/features/patterns-block.pov \
 	tests/features/patterns-fractal.pov \
 	tests/features/patterns-solid.pov \
@@ -198,6 +199,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/opaque-outside.exr \
 	tests/features/orthographic.exr \
 	tests/features/parallel.exr \
+	tests/features/projected-through.exr \
 	tests/features/patterns-block.exr \
 	tests/features/patterns-fractal.exr \
 	tests/features/patterns-solid.exr \

@@ -108,6 +108,7 @@ struct pov_child {
 struct pov_object { /* ITEM_OBJECT */
 	struct object object; /* shape, place and flags; relations and indices are not used */
 	struct light *light; /* not NULL: a light source, and nothing else */
+	struct pov_object *through; /* of a light: what it is projected through, or NULL */
 	struct pov_mesh *mesh; /* SHAPE_MESH */
 	struct pov_blob *blob; /* SHAPE_BLOB */
 	struct pov_texture *texture, *interior_texture;
@@ -245,6 +246,9 @@ struct pov_texture *pov_texture_over(struct pov *, struct pov_texture *upper, st
 struct pov_texture *pov_default_texture(struct pov *);
 
 struct pov_object *pov_object_new(struct pov *, enum shape_kind, const struct diag_pos *);
+/* Its modifiers up to the }; and a transform as if it stood there. */
+void pov_object_modifiers(struct pov *, struct pov_object *);
+void pov_object_move(struct pov_object *, const struct xform *);
 bool pov_object_add(struct pov *, struct pov_object *o, struct pov_object *child);
 /* The texture as the scene's, SCENE_NONE after an error; reports what it lacks. */
 uint32_t pov_use_texture(struct pov *, struct pov_texture *);

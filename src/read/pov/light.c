@@ -12,6 +12,7 @@ struct draft {
 	struct light light;
 	vec point_at;
 	struct pov_object *like; /* looks_like: a union that the light moves, or NULL */
+	struct pov_object *through; /* projected_through: the same */
 	struct pov_lack lack;
 };
 
@@ -141,28 +142,42 @@ static bool read_area_word(struct pov *p, struct draft *d)
 	return true;
 }
 
-/* It stands at the light's location, without a shadow, and follows the light. */
-static void read_looks_like(struct pov *p, struct draft *d)
+/* A block with an object and its modifiers, in a union that the light moves. at: where the object starts from. */
+static struct pov_object *read_companion(struct pov *p, const char *what, vec at, unsigned flag)
 {
-	struct diag_pos at = pov_here(p);
-	struct pov_object *child;
+	struct diag_pos pos = pov_here(p);
+	struct pov_object *child, *wrap;
+	struct xform start = xform_translate(at);
 
 	if (!pov_open(p))
-		return;
-	child = pov_read_object(p);
+		return NULL;
+	child = pov_starts_object(p) ? pov_read_object(p) : NULL;
 	if (!child && !pov_failed(p))
-		pov_fail(p, "looks_like needs an object, not %s", pov_text(p));
-	if (!child || !pov_close(p, "looks_like"))
-		return;
-	d->like = pov_object_new(p, SHAPE_UNION, &at);
-	if (!d->like)
-		return;
-	d->like->object.flags = d->like->given = OBJECT_NO_SHADOW;
-	d->like->object.place = xform_translate(d->light.location);
-	pov_object_add(p, d->like, child);
+		pov_fail(p, "%s needs an object, not %s", what, pov_text(p));
+	if (child)
+		child = pov_copy(p, child, sizeof(*child)); /* others may use the same one */
+	if (!child)
+		return NULL;
+	pov_object_move(child, &start);
+	pov_object_modifiers(p, child);
+	wrap = pov_close(p, what) ? pov_object_new(p, SHAPE_UNION, &pos) : NULL;
+	if (!wrap || !pov_object_add(p, wrap, child))
+		return NULL;
+	wrap->object.flags = wrap->given = flag;
+	return wrap;
 }
 
-/* What does nothing without media or photons, and what is not rendered. */
+/* It stands in the scene's coordinates, and transforms after it move it with the light. */
+static void read_through(struct pov *p, struct draft *d)
+{
+	if (d->through) {
+		pov_fail(p, "a light can be projected_through one object only; make a union of them");
+		return;
+	}
+	d->through = read_companion(p, "projected_through", vec_make(0, 0, 0), OBJECT_PROJECTED);
+}
+
+/* What does nothing without media or photons, and what stands beside the light. */
 static bool read_rest(struct pov *p, struct draft *d)
 {
 	switch (pov_token(p)) {
@@ -185,11 +200,11 @@ static bool read_rest(struct pov *p, struct draft *d)
 	case TOK_PHOTONS:
 		break;
 	case TOK_LOOKS_LIKE:
-		read_looks_like(p, d);
+		d->like = read_companion(p, "looks_like", d->light.location, OBJECT_NO_SHADOW);
 		return true;
 	case TOK_PROJECTED_THROUGH:
-		pov_lack_note(p, &d->lack, "projected_through", NULL);
-		break;
+		read_through(p, d);
+		return true;
 	default:
 		return false;
 	}
@@ -207,6 +222,8 @@ static bool read_modifier(struct pov *p, struct draft *d)
 		d->point_at = mat_point(&x.fwd, d->point_at);
 		if (d->like)
 			d->like->object.place = xform_mul(&d->like->object.place, &x);
+		if (d->through)
+			d->through->object.place = xform_mul(&d->through->object.place, &x);
 		return true;
 	}
 	return read_kind(p, d) || read_cone(p, d) || read_area_word(p, d) || read_rest(p, d);
@@ -283,6 +300,9 @@ struct pov_object *pov_read_light(struct pov *p)
 		check_light(p, &d);
 	o->light = pov_copy(p, &d.light, sizeof(d.light));
 	o->lack = d.lack;
+	o->through = d.through;
+	if (o->through)
+		o->weight += o->through->weight;
 	if (!o->light || !pov_close(p, "light_source"))
 		return NULL;
 	return d.like ? beside(p, o, d.like) : o;

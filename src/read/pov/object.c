@@ -349,19 +349,24 @@ static void settle_texture(struct pov *p, struct pov_object *o)
 	}
 }
 
+void pov_object_move(struct pov_object *o, const struct xform *x)
+{
+	o->object.place = xform_mul(&o->object.place, x);
+	if (o->texture)
+		o->texture_place = xform_mul(&o->texture_place, x);
+	if (o->interior)
+		o->interior_place = xform_mul(&o->interior_place, x);
+	if (o->interior_texture)
+		o->interior_texture_place = xform_mul(&o->interior_texture_place, x);
+}
+
 static bool read_transform(struct pov *p, struct pov_object *o)
 {
 	struct xform x = xform_identity;
 
 	if (!pov_transform(p, &x))
 		return false;
-	o->object.place = xform_mul(&o->object.place, &x);
-	if (o->texture)
-		o->texture_place = xform_mul(&o->texture_place, &x);
-	if (o->interior)
-		o->interior_place = xform_mul(&o->interior_place, &x);
-	if (o->interior_texture)
-		o->interior_texture_place = xform_mul(&o->interior_texture_place, &x);
+	pov_object_move(o, &x);
 	return true;
 }
 
@@ -413,7 +418,7 @@ static bool read_look(struct pov *p, struct pov_object *o)
 	}
 }
 
-static void read_modifiers(struct pov *p, struct pov_object *o)
+void pov_object_modifiers(struct pov *p, struct pov_object *o)
 {
 	while (!pov_failed(p)) {
 		if (pov_accept(p, TOK_INVERSE))
@@ -551,7 +556,7 @@ static struct pov_object *read_block(struct pov *p, enum pov_token_kind t, struc
 			return NULL;
 		o->object.pos = at;
 	}
-	read_modifiers(p, o);
+	pov_object_modifiers(p, o);
 	return pov_close(p, keyword_text(t)) ? o : NULL;
 }
 

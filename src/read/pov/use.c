@@ -371,6 +371,30 @@ static bool check_place(struct pov *p, const struct pov_object *o)
 	return true;
 }
 
+/* What the light that was added last is projected through: among the scene's objects, and seen by it only. */
+static bool use_through(struct pov *p, struct pov_object *o, const struct context *inner)
+{
+	struct context c = *inner;
+	uint32_t light = pov_scene(p)->light_count - 1, i, wrap;
+
+	if (!o->through || inner->cut)
+		return true;
+	pov_scene(p)->light[light].projected = true;
+	c.light_set = light;
+	if (!use_object(p, o->through, &c, &i))
+		return false;
+	if (i == SCENE_NONE)
+		return true;
+	wrap = scene_add_object(pov_scene(p));
+	if (wrap == SCENE_NONE)
+		return pov_no_memory(p);
+	pov_scene(p)->object[wrap].kind = SHAPE_UNION;
+	pov_scene(p)->object[wrap].place = inner->place;
+	pov_scene(p)->object[wrap].first_child = i;
+	scene_add_root(pov_scene(p), wrap);
+	return true;
+}
+
 /* *index: SCENE_NONE if it is a light or, with --lenient, something left out. */
 static bool use_object(struct pov *p, struct pov_object *o, const struct context *c, uint32_t *index)
 {
@@ -388,7 +412,7 @@ static bool use_object(struct pov *p, struct pov_object *o, const struct context
 	}
 	enter(o, c, &inner);
 	if (o->light)
-		return use_light(p, o, &inner.place.fwd, c->group);
+		return use_light(p, o, &inner.place.fwd, c->group) && use_through(p, o, &inner);
 	if (!enter_group(p, o, c, &inner))
 		return false;
 	if (o->mesh && !pov_scene(p)->mesh[o->mesh->index].triangle_count)

@@ -91,6 +91,9 @@ static void ask(const struct shader *sh, struct tree *t, const struct light *l, 
 					 .inside = n->inside,
 					 .air = l->attenuated && !l->no_media && air,
 					 .vacuum = !air,
+					 .shadowless = l->shadowless,
+					 .projector = l->projected ? (uint32_t)(l - sh->scene->light) :
+								     SCENE_NONE,
 					 .colour = colour };
 }
 
@@ -152,6 +155,12 @@ bool lights_ask(const struct shader *sh, struct tree *t, uint32_t hit, uint32_t 
 	return ask_light(sh, t, hit, light, false);
 }
 
+/* A question to it is one ray. */
+static bool is_asked(const struct lit *lit, const struct light *l)
+{
+	return lit->grid == TREE_NONE && (!l->shadowless || l->projected);
+}
+
 /* Shadow questions of the point lights, answered in the order they were asked. */
 static void ask_points(const struct shader *sh, struct tree *t, uint32_t thread,
 		       struct shade_counts *counts)
@@ -164,7 +173,7 @@ static void ask_points(const struct shader *sh, struct tree *t, uint32_t thread,
 		const struct light *l = &sh->scene->light[lit->light];
 		struct light_ray r = { lit->dir, lit->depth };
 
-		if (lit->grid == TREE_NONE && !l->shadowless)
+		if (is_asked(lit, l))
 			ask(sh, t, l, m, node_of(t, m), &r, lit->colour);
 	}
 	shadow_trace(sh, t, thread, 0, counts);
@@ -173,7 +182,7 @@ static void ask_points(const struct shader *sh, struct tree *t, uint32_t thread,
 	for (uint32_t i = 0; i < t->lit.count; i++) {
 		struct lit *lit = BUF_AT(&t->lit, struct lit, i);
 
-		if (lit->grid == TREE_NONE && !sh->scene->light[lit->light].shadowless)
+		if (is_asked(lit, &sh->scene->light[lit->light]))
 			lit->colour = BUF_AT(&t->shadow, struct shadow, next++)->colour;
 	}
 }

@@ -195,6 +195,39 @@ static void trace_batch(const struct shader *sh, struct tree *t, uint32_t thread
 		filter_batch(sh, t, thread, s, live, left, counts);
 }
 
+/* How far along the ray the thing is that its light is projected through. False: nowhere before the light. */
+static bool find_projected(const struct shader *sh, uint32_t thread, const struct shadow *s, double *t)
+{
+	ald_hit hit;
+	ald_ray ray;
+
+	make_ray(&ray, s, TRACE_PROJECTED);
+	for (;;) {
+		struct surface at;
+
+		trace_nearest(sh->geometry, thread, &ray, &hit, 1, 0);
+		if (hit.prim == ALD_NONE)
+			return false;
+		surface_at(sh->geometry, &ray, &hit, &at);
+		*t = hit.t;
+		if (at.light_set == s->projector)
+			return true;
+		trace_after(&ray, &hit); /* another light's */
+	}
+}
+
+/* Only what lies before the thing casts shadows then, be the thing itself in the scene or not. */
+static void project(const struct shader *sh, uint32_t thread, struct shadow *s)
+{
+	double t;
+
+	if (s->projector == SCENE_NONE)
+		return;
+	if (!find_projected(sh, thread, s, &t))
+		s->colour = rgb_make(0, 0, 0);
+	s->depth = shadow_dark(s->colour) || s->shadowless ? 0 : t * (1 - 0x1p-30);
+}
+
 void shadow_trace(const struct shader *sh, struct tree *t, uint32_t thread, uint32_t first,
 		  struct shade_counts *counts)
 {
@@ -202,6 +235,8 @@ void shadow_trace(const struct shader *sh, struct tree *t, uint32_t thread, uint
 	if (tree_push(t, &t->ray, BATCH) == TREE_NONE || tree_push(t, &t->hit, BATCH) == TREE_NONE ||
 	    tree_push(t, &t->hidden, BATCH) == TREE_NONE)
 		return;
+	for (uint32_t i = first; sh->projected && i < t->shadow.count; i++)
+		project(sh, thread, BUF_AT(&t->shadow, struct shadow, i));
 	while (first < t->shadow.count) {
 		uint32_t n = t->shadow.count - first;
 

@@ -1,6 +1,6 @@
-NUMERICS_TESTS = tests/numerics/kernel-bits.sh tests/numerics/judge.sh
+NUMERICS_TESTS = tests/numerics/kernel-bits.sh tests/numerics/judge.sh tests/numerics/pictures.sh
 TESTS += $(NUMERICS_TESTS)
-EXTRA_DIST += $(NUMERICS_TESTS) tests/numerics/kernel_bits.c
+EXTRA_DIST += $(NUMERICS_TESTS) tests/numerics/pictures.py tests/numerics/kernel_bits.c
 if HAVE_GMP
 check_PROGRAMS += tests/numerics/judge
 tests_numerics_judge_SOURCES = tests/numerics/judge.c tests/numerics/oracle.c tests/numerics/oracle.h \

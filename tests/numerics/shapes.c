@@ -109,14 +109,14 @@ static unsigned poly_roots(const struct poly *p, const mpf_t lo, const mpf_t hi,
 	return n;
 }
 
-/* c += f (a . b + of the axes in mask) at power i of t, where (o + t d)^2 is meant. */
+/* Add f times the squares of the components in mask, as polynomials in t. */
 static void add_square(struct poly *p, const struct line *l, unsigned mask, double f)
 {
 	for (unsigned k = 0; k < 3; k++) {
 		if (!(mask >> k & 1))
 			continue;
 		for (unsigned i = 0; i < 3; i++) {
-			mpf_mul(tmp[1], i < 1 ? l->o[k] : i < 2 ? l->o[k] : l->d[k], i < 1 ? l->o[k] : l->d[k]);
+			mpf_mul(tmp[1], i < 2 ? l->o[k] : l->d[k], i < 1 ? l->o[k] : l->d[k]);
 			mpf_set_d(tmp[2], i == 1 ? 2 * f : f);
 			mpf_mul(tmp[1], tmp[1], tmp[2]);
 			mpf_add(p->c[i], p->c[i], tmp[1]);
@@ -328,8 +328,9 @@ static bool cell(enum shape s, double away, uint32_t rays, uint64_t seed, double
 			worst = fmax(worst, fabs(hit.t - t) * length);
 	}
 	good = good && hits > rays / 4 && !wrong && worst <= allowed;
-	printf("%sok %u - h: %s from %g radii\n# %u rays, %u hit, %u wrong; point off by %.1e radii, at most %.1e is wanted\n",
-	       good ? "" : "not ", ++tests, name[s], away, rays, hits, wrong, worst, allowed);
+	printf("%sok %u - h: %s from %g radii\n", good ? "" : "not ", ++tests, name[s], away);
+	printf("# %u rays, %u hit, %u wrong; point off by %.1e radii, at most %.1e is wanted\n", rays, hits, wrong,
+	       worst, allowed);
 	fflush(stdout);
 	for (unsigned k = 0; k < 3; k++) {
 		mpf_clear(l.o[k]);

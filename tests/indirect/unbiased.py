@@ -20,7 +20,7 @@ SKY = np.zeros(3)
 # centre, radius (None: the plane y = 0), colour times diffuse, emission
 THINGS = [(None, None, np.array((0.8, 0.7, 0.6)) * 0.9, np.zeros(3)),
           (np.array((-1.1, 1, 0.5)), 1.0, np.array((0.9, 0.4, 0.3)) * 0.8, np.zeros(3)),
-          (np.array((1, 0.8, 0)), 0.8, np.array((0.3, 0.7, 0.8)) * 0.9, np.zeros(3)),
+          (np.array((1, 0.8, 0)), 0.8, np.array((0.1, 0.25, 0.3)) * 0.9, np.zeros(3)),
           (np.array((0, 0.6, -1)), 0.6, np.zeros(3), np.array((1.0, 0.8, 0.5))),
           (np.array((0.0, 2, 0)), 7.0, np.array((0.6, 0.65, 0.7)) * 0.9, np.zeros(3))]
 failed = 0

@@ -14,7 +14,7 @@ src/base	include
 src/scene	base include
 src/pattern	base scene include
 src/read	base scene pattern image include
-src/prim	base scene include
+src/prim	base scene pattern include
 src/accel	base scene prim include
 src/shade	base scene pattern accel/trace.h include
 src/film	base image

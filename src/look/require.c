@@ -53,6 +53,7 @@ static void print_objects(const struct scene *s, const struct features *f, FILE 
 		[SHAPE_TORUS] = "torus", [SHAPE_SUPERELLIPSOID] = "superellipsoid",
 		[SHAPE_SWEEP] = "sphere_sweep", [SHAPE_BLOB] = "blob", [SHAPE_LATHE] = "lathe",
 		[SHAPE_PRISM] = "prism",
+		[SHAPE_ISOSURFACE] = "isosurface",
 		[SHAPE_UNION] = "union", [SHAPE_MERGE] = "merge",
 		[SHAPE_INTERSECTION] = "intersection",
 	};

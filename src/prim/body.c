@@ -8,6 +8,8 @@ const struct body_ops *body_ops_of(enum shape_kind kind)
 	switch (kind) {
 	case SHAPE_BLOB:
 		return &blob_ops;
+	case SHAPE_ISOSURFACE:
+		return &isosurface_ops;
 	case SHAPE_LATHE:
 		return &lathe_ops;
 	case SHAPE_PRISM:

@@ -45,7 +45,7 @@ struct body_ops {
 	bool (*inside)(const struct prim *, vec p);
 };
 
-extern const struct body_ops blob_ops, lathe_ops, prism_ops, sweep_ops;
+extern const struct body_ops blob_ops, isosurface_ops, lathe_ops, prism_ops, sweep_ops;
 
 /* NULL: the kind is no body. */
 const struct body_ops *body_ops_of(enum shape_kind);

@@ -7,6 +7,7 @@ src_libalidade_la_SOURCES += \
 	src/prim/csg.c src/prim/csg.h \
 	src/prim/curve.h \
 	src/prim/disc.c \
+	src/prim/isosurface.c \
 	src/prim/lathe.c \
 	src/prim/layout.c src/prim/layout.h \
 	src/prim/mesh.c \

@@ -18,6 +18,7 @@ src_libalidade_la_SOURCES += \
 	src/read/pov/internal.h \
 	src/read/pov/image.c \
 	src/read/pov/interior.c \
+	src/read/pov/isosurface.c \
 	src/read/pov/items.c src/read/pov/items.h \
 	src/read/pov/keywords.c src/read/pov/keywords.def src/read/pov/keywords.h \
 	src/read/pov/lex.c \
@@ -40,6 +41,7 @@ src_libalidade_la_SOURCES += \
 	src/read/pov/program.c src/read/pov/program.h \
 	src/read/pov/picture.c src/read/pov/picture.h \
 	src/read/pov/radiosity.c \
+	src/read/pov/rainbow.c \
 	src/read/pov/scan.c src/read/pov/scan.h \
 	src/read/pov/settings.c \
 	src/read/pov/source.c \

@@ -168,6 +168,8 @@ static void follow_batch(struct worker *w, uint32_t first, uint32_t n, uint32_t 
 		shade_spawn(w->shader, t);
 	if (w->shader->media && !w->options->camera_only && !t->no_memory)
 		shade_media(w->shader, t, w->thread, first, n, &counts);
+	if (w->shader->scene->rainbow_count && !w->options->camera_only && !t->no_memory)
+		shade_rainbow(w->shader, t, first, n);
 	if (w->shader->fog && !w->options->camera_only && !t->no_memory)
 		shade_fog(w->shader, t, first, n);
 	w->counts.cast[RENDER_SHADOW] += counts.shadow_cast;

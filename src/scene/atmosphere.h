@@ -24,6 +24,18 @@ struct fog {
 	uint32_t octaves;
 };
 
+struct map_entry;
+
+/* Bows around a direction, seen before what rays meet. Angles in radians. */
+struct rainbow {
+	double angle, width; /* of the bow's middle from the direction; from edge to edge, more than 0 */
+	double distance; /* not 0: how far away 1 - 1/e of it stands before what is seen */
+	double arc, falloff; /* halves: up to here from up it is there; from here on it fades */
+	vec direction, up, right; /* unit, square */
+	uint32_t count;
+	struct map_entry *entry; /* colours, from the inner edge to the outer; in the arena */
+};
+
 struct pigment;
 
 /* Around everything, infinitely far away. Its pigments are looked up by a ray's unit direction. */

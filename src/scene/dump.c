@@ -251,6 +251,9 @@ static void dump_shape(const struct object *o, FILE *to)
 	case SHAPE_PRISM:
 		fprintf(to, " prism %u", o->shape.prism.index);
 		break;
+	case SHAPE_ISOSURFACE:
+		fprintf(to, " isosurface %u", o->shape.isosurface);
+		break;
 	case SHAPE_BLOB:
 		fprintf(to, " blob %u", o->shape.blob);
 		break;

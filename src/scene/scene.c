@@ -1,6 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  */
+#include "scene/function.h"
 #include "scene/hash.h"
 #include "scene/scene.h"
 
@@ -54,6 +55,7 @@ void scene_release(struct scene *s)
 	}
 	mem_free(s->picture);
 	mem_free(s->fog);
+	mem_free(s->rainbow);
 	mem_free(s->light);
 	mem_free(s->light_set);
 	mem_free(s->texture);
@@ -65,6 +67,7 @@ void scene_release(struct scene *s)
 	mem_free(s->blob);
 	mem_free(s->lathe);
 	mem_free(s->prism);
+	mem_free(s->isosurface);
 	mem_free(s->object);
 	arena_release(&s->arena);
 }
@@ -95,6 +98,21 @@ uint32_t scene_add_fog(struct scene *s)
 	uint32_t i = grow(s, &p, &s->fog_count, &s->fog_room, sizeof(*s->fog));
 
 	s->fog = p;
+	return i;
+}
+
+uint32_t scene_add_rainbow(struct scene *s, uint32_t entries)
+{
+	struct map_entry *entry = arena_zalloc(&s->arena, mem_product(entries, sizeof(*entry)));
+	void *p = s->rainbow;
+	uint32_t i;
+
+	if (!entry)
+		return SCENE_NONE;
+	i = grow(s, &p, &s->rainbow_count, &s->rainbow_room, sizeof(*s->rainbow));
+	s->rainbow = p;
+	if (i != SCENE_NONE)
+		s->rainbow[i] = (struct rainbow){ .count = entries, .entry = entry };
 	return i;
 }
 
@@ -231,6 +249,17 @@ uint32_t scene_add_prism(struct scene *s, uint32_t points)
 	return i;
 }
 
+uint32_t scene_add_isosurface(struct scene *s, const struct isosurface *iso)
+{
+	void *p = s->isosurface;
+	uint32_t i = grow(s, &p, &s->isosurface_count, &s->isosurface_room, sizeof(*s->isosurface));
+
+	s->isosurface = p;
+	if (i != SCENE_NONE)
+		s->isosurface[i] = *iso;
+	return i;
+}
+
 uint32_t scene_add_blob(struct scene *s, uint32_t parts)
 {
 	struct blob_part *part = arena_zalloc(&s->arena, mem_product(parts, sizeof(*part)));
@@ -347,6 +376,22 @@ static uint64_t hash_fog(uint64_t h, const struct fog *f)
 	return HASH(h, f->octaves);
 }
 
+static uint64_t hash_rainbow(uint64_t h, const struct rainbow *r)
+{
+	h = HASH(h, r->angle);
+	h = HASH(h, r->width);
+	h = HASH(h, r->distance);
+	h = HASH(h, r->arc);
+	h = HASH(h, r->falloff);
+	h = HASH(h, r->direction);
+	h = HASH(h, r->up);
+	for (uint32_t i = 0; i < r->count; i++) {
+		h = HASH(h, r->entry[i].at);
+		h = HASH(h, r->entry[i].is.colour);
+	}
+	return h;
+}
+
 static uint64_t hash_light(uint64_t h, const struct light *l)
 {
 	h = HASH(h, l->kind);
@@ -391,6 +436,19 @@ static uint64_t hash_blob(uint64_t h, const struct blob *b)
 	return h;
 }
 
+static uint64_t hash_isosurface(uint64_t h, const struct isosurface *i)
+{
+	h = HASH(h, i->function->hash);
+	h = HASH(h, i->threshold);
+	h = HASH(h, i->accuracy);
+	h = HASH(h, i->max_gradient);
+	h = HASH(h, i->evaluate);
+	h = HASH(h, i->open);
+	h = HASH(h, i->sphere);
+	h = HASH(h, i->lo);
+	return HASH(h, i->hi);
+}
+
 static uint64_t hash_shapes(uint64_t h, const struct scene *s)
 {
 	for (uint32_t i = 0; i < s->mesh_count; i++)
@@ -409,6 +467,15 @@ static uint64_t hash_shapes(uint64_t h, const struct scene *s)
 		h = HASH(HASH(HASH(h, p->kind), p->conic), p->open);
 		h = HASH(HASH(h, p->lo), p->hi);
 		h = hash_words(h, p->point, p->count * sizeof(*p->point));
+	}
+	for (uint32_t i = 0; i < s->isosurface_count; i++)
+		h = hash_isosurface(h, &s->isosurface[i]);
+	/* Their functions may ask patterns and pigments, which know the scene's noise. */
+	if (s->isosurface_count) {
+		h = HASH(h, s->version);
+		h = HASH(h, s->noise_generator);
+		h = HASH(h, s->number_of_waves);
+		h = hash_textures(h, s);
 	}
 	for (uint32_t i = 0; i < s->blob_count; i++)
 		h = hash_blob(h, &s->blob[i]);
@@ -484,6 +551,8 @@ uint64_t scene_hash(const struct scene *s)
 		h = hash_sky(h, s->sky);
 	for (uint32_t i = 0; i < s->fog_count; i++)
 		h = hash_fog(h, &s->fog[i]);
+	for (uint32_t i = 0; i < s->rainbow_count; i++)
+		h = hash_rainbow(h, &s->rainbow[i]);
 	for (uint32_t i = 0; i < s->light_count; i++)
 		h = hash_light(h, &s->light[i]);
 	for (uint32_t i = 0; i < s->light_set_count; i++) {

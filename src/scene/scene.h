@@ -163,6 +163,17 @@ struct prism {
 	double (*point)[2]; /* in the arena */
 };
 
+/* Where a function of x, y and z is the threshold, within a box, or in the ball in it; less is inside. */
+struct isosurface {
+	const struct function *function; /* in the arena */
+	double threshold;
+	double accuracy, max_gradient; /* of the search, both > 0 */
+	bool evaluate; /* max_gradient is the least that it can be */
+	bool open; /* the container's surface is not there */
+	bool sphere;
+	vec lo, hi; /* lo < hi */
+};
+
 enum shape_kind {
 	SHAPE_MESH,
 	SHAPE_SPHERE,
@@ -176,6 +187,7 @@ enum shape_kind {
 	SHAPE_BLOB,
 	SHAPE_LATHE,
 	SHAPE_PRISM,
+	SHAPE_ISOSURFACE,
 	SHAPE_UNION, /* this and those below have children */
 	SHAPE_MERGE,
 	SHAPE_INTERSECTION, /* a difference is one with inverses */
@@ -210,7 +222,7 @@ struct object {
 	uint32_t first_clip; /* clipped_by: chained siblings, in the parent's coordinates; only what lies in
 				all of them is there */
 	union {
-		uint32_t mesh, sweep, blob;
+		uint32_t mesh, sweep, blob, isosurface;
 		struct {
 			vec centre;
 			double radius;
@@ -299,6 +311,8 @@ struct scene {
 	struct sky_sphere *sky; /* in the arena; NULL: none */
 	uint32_t fog_count, fog_room;
 	struct fog *fog;
+	uint32_t rainbow_count, rainbow_room;
+	struct rainbow *rainbow;
 	uint32_t light_count, light_room;
 	struct light *light;
 	uint32_t light_set_count, light_set_room;
@@ -324,6 +338,8 @@ struct scene {
 	struct lathe *lathe;
 	uint32_t prism_count, prism_room;
 	struct prism *prism;
+	uint32_t isosurface_count, isosurface_room;
+	struct isosurface *isosurface;
 	uint32_t blob_count, blob_room;
 	struct blob *blob;
 	uint32_t object_count, object_room;
@@ -338,6 +354,7 @@ void scene_release(struct scene *);
 /* Append one, cleared (object: identity place, no texture, no interior, no relations), and return its
  * index, or SCENE_NONE when out of memory. Pointers into the array change. */
 uint32_t scene_add_fog(struct scene *);
+uint32_t scene_add_rainbow(struct scene *, uint32_t entries);
 uint32_t scene_add_light(struct scene *);
 uint32_t scene_add_light_set(struct scene *);
 uint32_t scene_add_texture(struct scene *, uint32_t layers);
@@ -346,6 +363,7 @@ uint32_t scene_add_mesh(struct scene *);
 uint32_t scene_add_sweep(struct scene *, uint32_t points);
 uint32_t scene_add_lathe(struct scene *, uint32_t points);
 uint32_t scene_add_prism(struct scene *, uint32_t points);
+uint32_t scene_add_isosurface(struct scene *, const struct isosurface *);
 uint32_t scene_add_blob(struct scene *, uint32_t parts);
 uint32_t scene_add_object(struct scene *);
 struct picture *scene_add_picture(struct scene *);

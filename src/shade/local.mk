@@ -10,6 +10,7 @@ src_libalidade_la_SOURCES += \
 	src/shade/pov/lights.c src/shade/pov/lights.h \
 	src/shade/pov/media.c src/shade/pov/media.h \
 	src/shade/pov/point.c src/shade/pov/point.h \
+	src/shade/pov/rainbow.c \
 	src/shade/pov/shadow.c src/shade/pov/shadow.h \
 	src/shade/pov/sky.c \
 	src/shade/pov/spawn.c \

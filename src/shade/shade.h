@@ -73,7 +73,8 @@ void shade_light(const struct shader *, struct tree *, uint32_t thread, struct s
 /* Media between origin and end of nodes first .. first + n - 1, as veils. */
 void shade_media(const struct shader *, struct tree *, uint32_t thread, uint32_t first, uint32_t n,
 		 struct shade_counts *);
-/* Fog on the way of the same, hung before what is there. */
+/* Rainbows and fog on the way of the same, hung before what is there. */
+void shade_rainbow(const struct shader *, struct tree *, uint32_t first, uint32_t n);
 void shade_fog(const struct shader *, struct tree *, uint32_t first, uint32_t n);
 /* The nodes that these hits ask for. */
 void shade_spawn(const struct shader *, struct tree *);

@@ -113,6 +113,9 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/union-glass.pov \
 	tests/features/uv-object.pov \
 	tests/features/uv.pov \
+	tests/features/isosurface.pov \
+	tests/features/rainbow.pov \
+	tests/features/thin-solids.pov \
 	tests/features/union.pov \
 	tests/features/alpha-background.exr \
 	tests/features/alpha-fog.exr \
@@ -135,6 +138,9 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/camera-spherical.exr \
 	tests/features/camera-wide.exr \
 	tests/features/blobs.exr \
+	tests/features/isosurface.exr \
+	tests/features/rainbow.exr \
+	tests/features/thin-solids.exr \
 	tests/features/csg.exr \
 	tests/features/csg-glass.exr \
 	tests/features/csg-solids.exr \

@@ -313,7 +313,7 @@ static void test_textures(void **unused)
 	/* What is only declared is no error. */
 	expect_dump("#declare P = pigment { checker rgb 1 rgb 0 } #declare N = normal { bumps 1 } "
 		    "#declare T = texture { marble texture_map { [0 P] [1 P] } } "
-		    "#declare O = isosurface { function { x } } #declare D = difference { object { O } object { O } } "
+		    "#declare O = julia_fractal { <1,0,0,0> } #declare D = difference { object { O } object { O } } "
 		    "#declare S = sky_sphere { pigment { P } } sphere { 0, 1 pigment { rgb x } }",
 		    ONE("1 0 0"), true);
 }
@@ -498,7 +498,7 @@ static void test_exports(void **unused)
 static void test_unsupported(void **unused)
 {
 	static const char *const row[][2] = {
-		{ "isosurface { function { x } }", "1:1: error: isosurface is" },
+		{ "julia_fractal { <1,0,0,0> }", "1:1: error: julia_fractal is" },
 		{ "prism { 0, 1, 4, <0,0>, <1,1>, <1,0>, <0,0> pigment { uv_mapping checker rgb 0 rgb 1 } }",
 		  "1:1: error: uv_mapping of a prism is" },
 		{ "lathe { linear_spline 2, <0,0>, <1,1> pigment { uv_mapping checker rgb 0 rgb 1 } }",
@@ -509,7 +509,8 @@ static void test_unsupported(void **unused)
 		  "1:24: error: pavement in a" },
 		{ "sphere { 0, 1\n texture { pavement texture_map { [0 pigment { rgb 1 }] } } }",
 		  "2:12: error: pavement in a" },
-		{ "rainbow { }", "1:1: error: rainbow is" },
+		{ "rainbow { angle 1 width 1 direction x color_map { [0 rgb 1] } jitter 0.1 }",
+		  "1:63: error: jitter of a rainbow is" },
 		{ "sphere { 0, 1 clipped_by { bounded_by } }", "1:28: error: clipped_by { bounded_by } is" },
 		{ "difference { sphere { 0, 1 } box { 0, 1 } cutaway_textures }",
 		  "1:43: error: cutaway_textures is" },
@@ -545,7 +546,14 @@ static void test_errors(void **unused)
 		{ "sphere { 0,\n -1 }", "2:2: error: the sphere's radius is -1, but cannot be negative\n" },
 		{ "sphere { 0, 1e308*10 }", "1:13: error: " },
 		{ "cylinder { y, y, 1 }", "1:1: error: the cylinder has both its ends at one point\n" },
-		{ "cone { 0, 0, y, 0 }", "1:1: error: the cone's radius is 0\n" },
+		{ "lathe { linear_spline 3, <-1,0>, <-1,1>, <-1,2> }",
+		  "1:34: error: the lathe's point lies at radius -1; only its first and last one" },
+		{ "isosurface { max_gradient 1 }", "1:14: error: expected function at the beginning of an isosurface" },
+		{ "isosurface { function { x } accuracy 0 }", "1:38: error: accuracy is 0, but has to be more than 0" },
+		{ "isosurface { function { x } contained_by { box { 0, x } } }",
+		  "error: the isosurface's container has no room in it\n" },
+		{ "isosurface { function { x } contained_by { plane { x, 1 } } }",
+		  "1:44: error: contained_by takes a box or a sphere, not plane\n" },
 		{ "plane { 0, 1 }", "1:9: error: the plane's normal has no direction\n" },
 		{ "disc { 0, 0, 1 }", "1:11: error: the disc's normal has no direction\n" },
 		{ "object { }", "1:10: error: an object is expected in object { ... }, not }\n" },
@@ -554,6 +562,9 @@ static void test_errors(void **unused)
 		{ "sphere { 0, 1 pigment { rgb 1 }", "error: the file ends inside sphere { ... }: a } is" },
 		{ "camera { angle 180 }", "1:16: error: angle is 180, but has to be below 180 degrees\n" },
 		{ "sky_sphere { emission 2 }", "1:1: error: sky_sphere needs a pigment\n" },
+		{ "rainbow { angle 9 width 9 }", "1:1: error: the rainbow's direction is missing" },
+		{ "rainbow { direction y }", "1:1: error: the rainbow's up points along its direction\n" },
+		{ "rainbow { direction x width -1 }", "1:1: error: the rainbow's width is negative\n" },
 		{ "fog { distance -1 }", "1:1: error: the fog's distance is -1, but cannot be negative\n" },
 		{ "fog { distance 1 fog_type 2 }", "1:1: error: ground fog needs fog_alt" },
 		{ "fog { distance 1 fog_type 3 }", "1:27: error: fog_type is 3, but has to be 1" },

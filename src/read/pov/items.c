@@ -160,40 +160,6 @@ struct rgbft pov_finite_colour(struct pov *p, const char *what)
 	return c;
 }
 
-/* Kinds that are known by name only. */
-static const struct known {
-	enum pov_token_kind token;
-	enum pov_item_kind kind;
-	const char *construct; /* used at the top level */
-} known[] = {
-	{ TOK_RAINBOW, ITEM_RAINBOW, "rainbow" },
-};
-
-static const struct known *find_known(enum pov_token_kind token)
-{
-	for (size_t i = 0; i < sizeof(known) / sizeof(known[0]); i++) {
-		if (known[i].token == token)
-			return &known[i];
-	}
-	return NULL;
-}
-
-static struct pov_other *read_known(struct pov *p, const struct known *k)
-{
-	struct pov_other *other = pov_new(p, sizeof(*other));
-
-	if (!other)
-		return NULL;
-	pov_lack_note(p, &other->lack, k->construct, NULL);
-	pov_next(p);
-	if (pov_token(p) != TOK_LEFT_BRACE) {
-		pov_expect(p, TOK_LEFT_BRACE, k->construct);
-		return NULL;
-	}
-	pov_skip_block(p);
-	return pov_failed(p) ? NULL : other;
-}
-
 static void *read_transform(struct pov *p)
 {
 	struct xform *x = pov_copy(p, &xform_identity, sizeof(*x));
@@ -237,7 +203,6 @@ static enum pov_item_kind map_item(enum pov_token_kind t)
 static void *read_declared(struct pov *p, enum pov_item_kind *kind)
 {
 	struct pov_material m = { 0 };
-	const struct known *k;
 
 	switch (pov_token(p)) {
 	case TOK_PIGMENT:
@@ -270,6 +235,9 @@ static void *read_declared(struct pov *p, enum pov_item_kind *kind)
 	case TOK_FOG:
 		*kind = ITEM_FOG;
 		return pov_read_fog(p);
+	case TOK_RAINBOW:
+		*kind = ITEM_RAINBOW;
+		return pov_read_rainbow(p);
 	case TOK_CAMERA:
 		*kind = ITEM_CAMERA;
 		return pov_read_camera(p);
@@ -289,11 +257,6 @@ static void *read_declared(struct pov *p, enum pov_item_kind *kind)
 		*kind = map_item(pov_token(p));
 		return pov_read_map(p, false);
 	default:
-		k = find_known(pov_token(p));
-		if (k) {
-			*kind = k->kind;
-			return read_known(p, k);
-		}
 		*kind = ITEM_OBJECT;
 		if (pov_starts_object(p)) {
 			struct pov_object *o = pov_read_object(p);
@@ -331,14 +294,6 @@ static void top_camera(struct pov *p)
 	pov_scene(p)->has_camera = true;
 }
 
-static void top_known(struct pov *p, const struct known *k)
-{
-	struct pov_other *other = read_known(p, k);
-
-	if (other)
-		pov_lack_use(p, &other->lack);
-}
-
 /* Nobody refers to what a block at the top level was read into: the next one may have its memory. */
 static void top_object(struct pov *p)
 {
@@ -352,7 +307,6 @@ static void top_object(struct pov *p)
 
 bool pov_top_item(struct pov *p)
 {
-	const struct known *k;
 
 	switch (pov_token(p)) {
 	case TOK_GLOBAL_SETTINGS:
@@ -374,8 +328,7 @@ bool pov_top_item(struct pov *p)
 		pov_add_media(p, &pov_state(p)->media_count, &pov_state(p)->media);
 		return true;
 	case TOK_RAINBOW:
-		k = find_known(pov_token(p));
-		top_known(p, k);
+		pov_use_rainbow(p, pov_read_rainbow(p));
 		return true;
 	default:
 		if (!pov_starts_object(p))

@@ -128,6 +128,12 @@ struct pov_object { /* ITEM_OBJECT */
 	uint64_t weight; /* objects that it puts into the scene, with all that is in it */
 };
 
+struct pov_rainbow { /* ITEM_RAINBOW; angles in degrees, whole arcs */
+	struct rainbow rainbow;
+	struct pov_map *map; /* NULL: none */
+	struct pov_lack lack;
+};
+
 struct pov_fog { /* ITEM_FOG */
 	struct fog fog;
 };
@@ -142,10 +148,6 @@ struct pov_sky { /* ITEM_SKY_SPHERE */
 	uint32_t count;
 	struct rgb emission;
 	struct xform place;
-};
-
-struct pov_other { /* all other kinds: known by name, not yet rendered */
-	struct pov_lack lack;
 };
 
 /* What reading must remember between items; pov_state() gives it. */
@@ -218,6 +220,7 @@ struct pov_object *pov_read_triangle(struct pov *, const struct diag_pos *at, bo
 void pov_read_sweep(struct pov *, struct object *);
 void pov_read_lathe(struct pov *, struct object *);
 void pov_read_prism(struct pov *, struct object *);
+void pov_read_isosurface(struct pov *, struct object *);
 struct pov_object *pov_read_blob(struct pov *, struct pov_object *);
 /* Any object; not one: NULL and nothing read, or after an error. */
 struct pov_object *pov_read_object(struct pov *);
@@ -228,9 +231,11 @@ void pov_read_background(struct pov *);
 void pov_read_radiosity(struct pov *); /* the block of global_settings */
 void pov_read_importance(struct pov *); /* radiosity { } of an object or #default */
 struct pov_fog *pov_read_fog(struct pov *);
+struct pov_rainbow *pov_read_rainbow(struct pov *);
 struct pov_sky *pov_read_sky(struct pov *);
 /* Put it into the scene; NULL is nothing. */
 void pov_use_fog(struct pov *, const struct pov_fog *);
+void pov_use_rainbow(struct pov *, const struct pov_rainbow *);
 void pov_use_sky(struct pov *, const struct pov_sky *);
 
 /* The texture with a transform after it: the same one if it looks alike everywhere. */

@@ -69,8 +69,6 @@ static void finish_cone(struct pov *p, struct object *o, const char *what)
 		return;
 	if (vec_length(axis) < TINY)
 		pov_fail_at(p, &o->pos, "the %s has both its ends at one point", what);
-	else if (o->shape.cone.base_radius == 0 && o->shape.cone.apex_radius == 0)
-		pov_fail_at(p, &o->pos, "the %s's radius is 0", what);
 }
 
 static void read_cylinder(struct pov *p, struct object *o)
@@ -166,11 +164,11 @@ static const struct shape_word {
 	{ TOK_SUPERELLIPSOID, SHAPE_SUPERELLIPSOID, read_superellipsoid },
 	{ TOK_LATHE, SHAPE_LATHE, pov_read_lathe },
 	{ TOK_PRISM, SHAPE_PRISM, pov_read_prism },
+	{ TOK_ISOSURFACE, SHAPE_ISOSURFACE, pov_read_isosurface },
 	{ TOK_SPHERE_SWEEP, SHAPE_SWEEP, pov_read_sweep },
 	{ TOK_BICUBIC_PATCH, SHAPE_UNION, NULL },
 	{ TOK_CUBIC, SHAPE_UNION, NULL },
 	{ TOK_HEIGHT_FIELD, SHAPE_UNION, NULL },
-	{ TOK_ISOSURFACE, SHAPE_UNION, NULL },
 	{ TOK_JULIA_FRACTAL, SHAPE_UNION, NULL },
 	{ TOK_OVUS, SHAPE_UNION, NULL },
 	{ TOK_PARAMETRIC, SHAPE_UNION, NULL },

@@ -106,6 +106,7 @@ static bool read_lathe_kind(struct pov *p, enum lathe_kind *kind)
 	return true;
 }
 
+/* Which of them POV-Ray refuses beyond the axis was measured. */
 static void read_flat_points(struct pov *p, struct buf *b, uint32_t n)
 {
 	for (uint32_t i = 0; i < n && !pov_failed(p); i++) {
@@ -122,9 +123,9 @@ static void read_flat_points(struct pov *p, struct buf *b, uint32_t n)
 		pov_vector2(p, &point[0], &point[1]);
 		if (!pov_failed(p) && !(isfinite(point[0]) && isfinite(point[1])))
 			pov_fail_at(p, &at, "the lathe's point has a component that is not a finite number");
-		else if (point[0] < 0)
-			pov_fail_at(p, &at, "the lathe's point lies at radius %g, but cannot lie beyond the axis",
-				    point[0]);
+		else if (point[0] < 0 && i && i + 1 < n)
+			pov_fail_at(p, &at, "the lathe's point lies at radius %g; only its first and last one "
+					    "can lie beyond the axis", point[0]);
 	}
 }
 

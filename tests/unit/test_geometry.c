@@ -9,6 +9,7 @@
 
 #include "accel/load.h"
 #include "mesh_fixture.h"
+#include "scene/function.h"
 
 #define RAYS 2048u
 
@@ -89,6 +90,22 @@ static uint32_t some_prism(struct world *w, enum lathe_kind kind, uint64_t *seed
 	return i;
 }
 
+/* x^2 + y^2 + z. */
+static uint32_t some_isosurface(struct world *w)
+{
+	static struct function_op op[] = {
+		{ OP_MUL, 3, 0, 0 }, { OP_MUL, 4, 1, 1 }, { OP_ADD, 3, 3, 4 }, { OP_ADD, 3, 3, 2 },
+	};
+	static const struct function paraboloid = {
+		.params = 3, .results = 1, .registers = 5, .total = 5,
+		.is.program = { .op_count = 4, .op = op, .result = 3 },
+	};
+	struct isosurface iso = { .function = &paraboloid, .threshold = 0.3, .accuracy = 1e-4,
+				  .max_gradient = 4, .lo = { -1, -1, -1 }, .hi = { 1, 1, 1 } };
+
+	return scene_add_isosurface(&w->scene, &iso);
+}
+
 static uint32_t some_blob(struct world *w, uint64_t *seed)
 {
 	uint32_t i = scene_add_blob(&w->scene, 5);
@@ -145,6 +162,8 @@ static void crowd(struct world *w, double size)
 			o->shape.lathe.index = some_lathe(w, i & 16 ? LATHE_CUBIC : LATHE_LINEAR, &seed);
 		if (kind == SHAPE_PRISM)
 			o->shape.prism.index = some_prism(w, i & 16 ? LATHE_CUBIC : LATHE_LINEAR, &seed);
+		if (kind == SHAPE_ISOSURFACE)
+			o->shape.isosurface = some_isosurface(w);
 		if (kind == SHAPE_BLOB)
 			o->shape.blob = some_blob(w, &seed);
 		if (kind == SHAPE_SWEEP)

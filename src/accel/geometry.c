@@ -92,11 +92,13 @@ static enum status hire_workers(struct geometry *g, bool count, struct diag *dia
 
 	g->worker = mem_zalloc(g->book, "threads", mem_product(g->threads, sizeof(*g->worker)));
 	for (uint32_t t = 0; g->worker && t < g->threads; t++) {
-		struct worker *w = mem_zalloc(g->book, "threads", sizeof(*w));
+		struct worker *w = mem_alloc(g->book, "threads", sizeof(*w));
 
 		g->worker[t] = w;
-		if (w)
+		if (w) {
+			memset(w, 0, offsetof(struct worker, ray)); /* batches fill the rest */
 			w->query = mem_zalloc(g->book, "threads", mem_product(levels, sizeof(*w->query)));
+		}
 		if (!w || !w->query)
 			return diag_no_memory(diag, "a render thread", sizeof(*w));
 		for (uint32_t i = 0; i < levels; i++) {

@@ -24,7 +24,9 @@
 #define AA_DEPTH_MAX 9 /* POV-Ray's own bound */
 #define INDIRECT_SAMPLES 512
 #define CACHE_SAMPLES 256 /* of a record */
-#define CACHE_REACH_PIXELS 64 /* of a record at most, without slack */
+/* How far a record reaches at most, without slack: in pixels, and as a part of the picture's diagonal. */
+#define CACHE_REACH_PIXELS 64
+#define CACHE_REACH_PART 0.1
 #define LENS_RAYS 32 /* of a sample, at least */
 #define ERROR_SETS 16 /* replications a pixel that its error is estimated from */
 
@@ -234,7 +236,7 @@ static struct indirect indirect_options(const struct scene *scene, const struct 
 	if (o->indirect == INDIRECT_CACHE) {
 		in.samples = in.samples ? in.samples : CACHE_SAMPLES;
 		in.slack = o->indirect_slack > 0 ? o->indirect_slack : 1;
-		in.reach = CACHE_REACH_PIXELS * in.slack;
+		in.reach = fmin(CACHE_REACH_PIXELS, CACHE_REACH_PART * hypot(o->width, o->height)) * in.slack;
 		if (c->kind == CAMERA_ORTHOGRAPHIC)
 			in.pixel = vec_length(c->right) / o->width;
 		else

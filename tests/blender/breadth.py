@@ -130,6 +130,11 @@ def converging(text, noisy):
     return text, None
 
 
+def void(theirs, text):
+    """Are there so many pixels that are no numbers, as a mirror's exponent makes of negative light?"""
+    return (~numpy.isfinite(theirs)).any(axis=2).mean() > MOST_VOID and EXPONENT.search(text)
+
+
 def direct(outcome, text, base):
     """Without indirect light."""
     text = RADIOSITY.sub('', text, count=1)
@@ -139,6 +144,10 @@ def direct(outcome, text, base):
     size = SMALL if noisy else SIZE
     theirs = renderers.povray(written(os.path.join(base, 'many.pov'), text), os.path.join(base, 'direct.exr'),
                               size, aa)
+    if void(theirs, text):
+        outcome.notes.append('without mirrors\' exponents, which make no numbers of much of POV-Ray\'s picture')
+        direct(outcome, EXPONENT.sub('', text), base)
+        return
     renderers.alidade(pov, os.path.join(base, 'direct.pfm'), size, aa=aa, threads=1, good=allowed(theirs))
     ours = picture.read(os.path.join(base, 'direct.pfm'))
     outcome.figures = measure.Figures(ours, theirs)
@@ -165,8 +174,8 @@ def soundness(text, theirs, base, aa):
     return (picture.encode(theirs) > picture.encode(least) - 2 * measure.LEVEL).all(axis=2)
 
 
-def indirect(outcome, text, base, plain=False):
-    """With it, by both methods. plain: what can make no numbers was taken out."""
+def indirect(outcome, text, base):
+    """With it, by both methods."""
     block = RADIOSITY.search(text).group(0)
     high = block
     for word, value in HIGH.items():
@@ -175,9 +184,9 @@ def indirect(outcome, text, base, plain=False):
     text, aa = converging(text, RANDOM.search(text.replace(block, '')))
     theirs = renderers.povray(written(os.path.join(base, 'high.pov'), text.replace(block, high)),
                               os.path.join(base, 'high.exr'), SMALL, aa)
-    if not plain and (~numpy.isfinite(theirs)).any(axis=2).mean() > MOST_VOID and EXPONENT.search(text):
+    if void(theirs, text):
         outcome.notes.append('without mirrors\' exponents, which make no numbers of much of POV-Ray\'s picture')
-        indirect(outcome, EXPONENT.sub('', text), base, plain=True)
+        indirect(outcome, EXPONENT.sub('', text), base)
         return
     sound = soundness(text, theirs, base, aa)
     if not sound.all():

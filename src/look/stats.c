@@ -15,6 +15,7 @@
 static const char *const ray_name[RENDER_RAY_KINDS] = {
 	[RENDER_CAMERA] = "camera", [RENDER_SHADOW] = "shadow", [RENDER_REFLECTED] = "reflected",
 	[RENDER_REFRACTED] = "refracted", [RENDER_GATHERED] = "gathered",
+	[RENDER_SUBSURFACE] = "subsurface",
 };
 
 /* The list of accel.h: the key in JSON and the words in text. */

@@ -71,10 +71,24 @@ static void fold_through(const struct tree *t, const struct part *p, struct fold
 	out->variance = rgb_add(out->variance, rgb_mul(squared(c), from.variance));
 }
 
-static void fold_part(const struct tree *t, const struct part *p, struct folded *out)
+/* What rays bring that were sent from below the surface. */
+static void fold_scatter(const struct radiosity *r, const struct tree *t, const struct part *p, struct folded *out)
+{
+	for (uint32_t i = 0; i < p->scatter_count; i++) {
+		const struct scatter *s = BUF_AT(&t->scatter, struct scatter, p->first_scatter + i);
+		const struct node *child = BUF_AT(&t->node, struct node, s->child);
+		struct rgb c = s->gathered ? indirect_one(r, child->colour) : child->colour;
+
+		out->colour = rgb_add(out->colour, rgb_mul(s->factor, c));
+		out->variance = rgb_add(out->variance, rgb_mul(squared(s->factor), child->variance));
+	}
+}
+
+static void fold_part(const struct radiosity *r, const struct tree *t, const struct part *p, struct folded *out)
 {
 	*out = (struct folded){ .colour = p->own };
 	fold_through(t, p, out);
+	fold_scatter(r, t, p, out);
 	for (uint32_t i = 0; i < p->mirror_count; i++) {
 		const struct mirror *m = BUF_AT(&t->mirror, struct mirror, p->first_mirror + i);
 		const struct node *child;
@@ -115,7 +129,7 @@ void fold_nodes(const struct shader *sh, struct tree *t, uint32_t first, uint32_
 			const struct part *p = BUF_AT(&t->part, struct part, n->first_part + j);
 			struct folded f;
 
-			fold_part(t, p, &f);
+			fold_part(&sh->scene->radiosity, t, p, &f);
 			n->colour = rgb_add(n->colour, rgb_scale(f.colour, p->share));
 			n->variance = rgb_add(n->variance, rgb_scale(f.variance, p->share * p->share));
 			n->transmit += f.transmit * p->share;

@@ -28,6 +28,7 @@
 #define CACHE_REACH_PIXELS 64
 #define CACHE_REACH_PART 0.1
 #define LENS_RAYS 32 /* of a sample, at least */
+#define SUBSURFACE_RAYS 256 /* a pixel, about */
 #define ERROR_SETS 16 /* replications a pixel that its error is estimated from */
 
 struct job {
@@ -309,6 +310,17 @@ static uint32_t soft_rounds(const struct scene *s, const struct render_options *
 	return camera_has_lens(&s->camera) || samples >= SOFT_ROUNDS ? 1 : SOFT_ROUNDS / samples;
 }
 
+static uint32_t subsurface_rays(const struct scene *s, const struct render_options *o)
+{
+	uint32_t share = 1;
+
+	if (camera_has_lens(&s->camera))
+		share = LENS_RAYS;
+	if (o->aa == RENDER_AA_GRID)
+		share *= o->aa_n * o->aa_n;
+	return share < SUBSURFACE_RAYS ? SUBSURFACE_RAYS / share : 1;
+}
+
 static bool fill(struct job *j, struct pool *pool)
 {
 	if (j->shader.indirect.method != INDIRECT_CACHE || j->whole.camera_only ||
@@ -345,6 +357,7 @@ enum status render_scene(const struct scene *scene, const struct geometry *geome
 	shader_init(&j.shader, scene, geometry, options->alpha, &j.indirect);
 	j.shader.footprints = options->texture_mip;
 	j.shader.soft_rounds = soft_rounds(scene, &j.whole);
+	j.shader.subsurface_rays = subsurface_rays(scene, &j.whole);
 	j.across = (j.whole.crop_width + j.whole.tile - 1) / j.whole.tile;
 	down = (j.whole.crop_height + j.whole.tile - 1) / j.whole.tile;
 	pthread_mutex_init(&j.lock, NULL);

@@ -134,7 +134,7 @@ static void count_rays(struct worker *w, const struct node *n, bool hit)
 static void follow_batch(struct worker *w, uint32_t first, uint32_t n, uint32_t hints)
 {
 	struct tree *t = &w->tree;
-	struct shade_counts counts = { 0, 0 };
+	struct shade_counts counts = { 0, 0, 0, 0 };
 	ald_ray *ray;
 	ald_hit *hit;
 
@@ -166,6 +166,8 @@ static void follow_batch(struct worker *w, uint32_t first, uint32_t n, uint32_t 
 		shade_light(w->shader, t, w->thread, &counts);
 	if (t->met.count && !t->no_memory)
 		shade_spawn(w->shader, t);
+	if (t->beneath.count && !t->no_memory)
+		shade_subsurface(w->shader, t, w->thread, &counts);
 	if (w->shader->media && !w->options->camera_only && !t->no_memory)
 		shade_media(w->shader, t, w->thread, first, n, &counts);
 	if (w->shader->scene->rainbow_count && !w->options->camera_only && !t->no_memory)
@@ -174,13 +176,15 @@ static void follow_batch(struct worker *w, uint32_t first, uint32_t n, uint32_t 
 		shade_fog(w->shader, t, first, n);
 	w->counts.cast[RENDER_SHADOW] += counts.shadow_cast;
 	w->counts.hit[RENDER_SHADOW] += counts.shadow_hit;
+	w->counts.cast[RENDER_SUBSURFACE] += counts.subsurface_cast;
+	w->counts.hit[RENDER_SUBSURFACE] += counts.subsurface_hit;
 }
 
 /* Nodes that wait, and where the tree stood before the batch that asked for them. */
 struct frame {
 	uint32_t done, end; /* nodes done .. end - 1 are still to be followed */
 	uint32_t batch, batched; /* the batch being followed: first node, how many */
-	uint32_t node, part, mirror, inside, veil, gather; /* counts before it */
+	uint32_t node, part, mirror, inside, veil, gather, scatter; /* counts before it */
 };
 
 static bool push_frame(struct worker *w, uint32_t first, uint32_t end)
@@ -205,6 +209,7 @@ static void finish_batch(struct worker *w, struct frame *f)
 	t->inside.count = f->inside;
 	t->veil.count = f->veil;
 	t->gather.count = f->gather;
+	t->scatter.count = f->scatter;
 	f->batched = 0;
 }
 
@@ -235,6 +240,7 @@ static bool next_batch(struct worker *w, struct frame *f, uint32_t hints)
 	f->inside = t->inside.count;
 	f->veil = t->veil.count;
 	f->gather = t->gather.count;
+	f->scatter = t->scatter.count;
 	follow_batch(w, f->batch, n, hints);
 	if (t->no_memory)
 		return false;

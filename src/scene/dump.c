@@ -318,6 +318,13 @@ static void dump_radiosity(const struct radiosity *r, FILE *to)
 		r->subsurface ? " subsurface" : "", r->always_sample ? " always_sample" : "");
 }
 
+static void dump_subsurface(const struct subsurface *s, FILE *to)
+{
+	fprintf(to, "subsurface samples %u %u", s->samples, s->single_samples);
+	put_word(to, "mm_per_unit", s->mm_per_unit);
+	fprintf(to, "%s\n", s->radiosity ? " radiosity" : "");
+}
+
 void scene_dump(const struct scene *s, unsigned what, FILE *to)
 {
 	fprintf(to, "scene version %d", s->version);
@@ -329,6 +336,8 @@ void scene_dump(const struct scene *s, unsigned what, FILE *to)
 	fputc('\n', to);
 	if (s->radiosity.given)
 		dump_radiosity(&s->radiosity, to);
+	if (s->subsurface.given)
+		dump_subsurface(&s->subsurface, to);
 	dump_camera(s, what, to);
 	if (s->sky)
 		dump_sky(s->sky, to);

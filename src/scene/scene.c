@@ -31,6 +31,7 @@ void scene_init(struct scene *s, struct mem_book *book)
 					   .maximum_reuse = 0.2,
 					   .pretrace_start = 0.08,
 					   .pretrace_end = 0.04 };
+	s->subsurface = (struct subsurface){ .samples = 50, .single_samples = 50, .mm_per_unit = 10 };
 	s->first_root = s->last_root = SCENE_NONE;
 }
 
@@ -508,6 +509,14 @@ static uint64_t hash_radiosity(uint64_t h, const struct radiosity *r)
 	return HASH(h, r->max_sample);
 }
 
+static uint64_t hash_subsurface(uint64_t h, const struct subsurface *s)
+{
+	h = HASH(h, s->radiosity);
+	h = HASH(h, s->samples);
+	h = HASH(h, s->single_samples);
+	return HASH(h, s->mm_per_unit);
+}
+
 static uint64_t hash_interior(uint64_t h, const struct interior *in)
 {
 	h = HASH(h, in->ior);
@@ -535,6 +544,8 @@ uint64_t scene_hash(const struct scene *s)
 	h = HASH(h, s->background);
 	if (s->radiosity.given)
 		h = hash_radiosity(h, &s->radiosity);
+	if (s->subsurface.given && s->subsurface.used)
+		h = hash_subsurface(h, &s->subsurface);
 	h = hash_media(h, s->media_count, s->media);
 	h = HASH(h, s->camera.kind);
 	h = HASH(h, s->camera.location);

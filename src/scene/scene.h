@@ -280,6 +280,16 @@ struct radiosity {
 	bool always_sample;
 };
 
+/* Light below surfaces whose finish says so, as global_settings { subsurface { } } describes it (manual
+ * 3.4.1.12). */
+struct subsurface {
+	bool given; /* there is such a block; without it, what finishes say has no effect */
+	bool used; /* some texture has such a finish */
+	bool radiosity; /* indirect light goes below surfaces too */
+	uint32_t samples, single_samples; /* POV-Ray's, of light scattered often and once */
+	double mm_per_unit; /* > 0; finishes count in millimetres */
+};
+
 /* What inside out makes of a kind with children, as POV-Ray does it: twice is not always what it was. */
 static inline enum shape_kind shape_inverse(enum shape_kind k)
 {
@@ -303,6 +313,7 @@ struct scene {
 	uint32_t noise_generator; /* of patterns that name none: 1, 2, 3, or 0: by the version */
 	uint32_t number_of_waves; /* of ripples and waves, at least 1 */
 	struct radiosity radiosity;
+	struct subsurface subsurface;
 	struct camera camera;
 	bool has_camera;
 	uint32_t media_count; /* that fill the world, outside of what is not hollow */

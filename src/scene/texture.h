@@ -296,8 +296,10 @@ struct finish {
 	double reflection_falloff, reflection_exponent, reflection_metallic;
 	double irid, irid_thickness, irid_turbulence; /* thin film; irid > 0 if any */
 	double crand; /* noise in diffuse light */
+	struct rgb translucency; /* if subsurface: about how far light goes below, in mm; each > 0 */
 	bool reflection_fresnel;
 	bool conserve_energy;
+	bool subsurface; /* light goes below the surface instead of diffuse, if the scene's settings want it */
 };
 
 struct layer {

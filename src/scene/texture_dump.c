@@ -280,6 +280,8 @@ static void dump_finish(const struct finish *f, FILE *to)
 	}
 	if (f->crand > 0)
 		put_word(to, "crand", f->crand);
+	if (f->subsurface)
+		put_rgb(to, "translucency", f->translucency);
 	fprintf(to, "%s%s\n", f->reflection_fresnel ? " fresnel" : "",
 		f->conserve_energy ? " conserve_energy" : "");
 }

@@ -112,6 +112,7 @@ static uint64_t hash_texture(uint64_t h, const struct texture *t)
 		h = hash_bytes(h, &l->finish, offsetof(struct finish, reflection_fresnel));
 		h = HASH(h, l->finish.reflection_fresnel);
 		h = HASH(h, l->finish.conserve_energy);
+		h = HASH(h, l->finish.subsurface);
 	}
 	return h;
 }

@@ -27,7 +27,7 @@
 #define LEAST_PIXELS 2 /* a record's radius */
 #define PI 3.14159265358979323846
 
-static vec hemisphere(vec normal, double u, double v)
+vec indirect_hemisphere(vec normal, double u, double v)
 {
 	double a = 2 * u - 1, b = 2 * v - 1, r, phi;
 
@@ -45,7 +45,7 @@ vec indirect_direction(vec normal, uint32_t index, uint64_t key)
 {
 	struct sobol s = sobol_make(key);
 
-	return hemisphere(normal, sobol_at(&s, index, 0), sobol_at(&s, index, 1));
+	return indirect_hemisphere(normal, sobol_at(&s, index, 0), sobol_at(&s, index, 1));
 }
 
 struct indirect_part indirect_part(const struct shader *sh, const struct node *n)
@@ -128,15 +128,21 @@ void indirect_layer(const struct shader *sh, struct tree *t, const struct met *m
 
 /* How many rays: fewer where the pixel shows little of them, a power of two, as the points are best
  * then, and enough for each replication to have some. */
-static uint32_t ray_count(const struct shader *sh, const struct node *n, const struct gather *g)
+uint32_t indirect_power(double want)
 {
-	double share = fmin(1, n->weight) * fmin(1, rgb_max(g->factor));
-	double want = (double)sh->indirect.samples / sh->indirect.replications * share;
 	uint32_t count = 1;
 
 	while (count * 1.4142 < want)
 		count *= 2;
-	return count * sh->indirect.replications;
+	return count;
+}
+
+static uint32_t ray_count(const struct shader *sh, const struct node *n, const struct gather *g)
+{
+	double share = fmin(1, n->weight) * fmin(1, rgb_max(g->factor));
+
+	return indirect_power((double)sh->indirect.samples / sh->indirect.replications * share) *
+	       sh->indirect.replications;
 }
 
 /* A bent normal may throw rays into the surface; POV-Ray takes other directions then. */
@@ -169,6 +175,7 @@ static void fill_rays(const struct shader *sh, struct tree *t, const struct met 
 	struct node child = { .weight = fmax(r->adc_bailout, pow(0.5 * r->brightness, parent.bounce + 1)),
 			      .level = indirect_level(parent.bounce + 1),
 			      .bounce = parent.bounce + 1,
+			      .beneath = parent.beneath,
 			      .inside = TREE_NONE,
 			      .skip = m->skip,
 			      .kind = NODE_GATHERED };
@@ -254,6 +261,11 @@ static struct rgb seen(const struct radiosity *r, struct rgb c)
 	double grey = rgb_grey(c) * r->gray_threshold, keep = 1 - r->gray_threshold;
 
 	return rgb_scale(rgb_make(c.r * keep + grey, c.g * keep + grey, c.b * keep + grey), r->brightness);
+}
+
+struct rgb indirect_one(const struct radiosity *r, struct rgb colour)
+{
+	return seen(r, limited(r, colour));
 }
 
 struct rgb indirect_fold(const struct radiosity *r, const struct tree *t, const struct gather *g,

@@ -39,6 +39,12 @@ void indirect_record(const struct radiosity *, const struct indirect *, struct t
  * any for each child. Camera rays always are. */
 bool indirect_follow(const struct shader *, const struct node *, uint64_t slot, double share, double *scale);
 
+/* What one gathered ray's colour is to the surface that sent it. */
+struct rgb indirect_one(const struct radiosity *, struct rgb colour);
+/* The power of two nearest to a number of rays. */
+uint32_t indirect_power(double want);
+/* Unit direction around normal, cosine-weighted for u and v even in 0 .. 1. */
+vec indirect_hemisphere(vec normal, double u, double v);
 /* Unit direction number index of a family, cosine-weighted around normal. */
 vec indirect_direction(vec normal, uint32_t index, uint64_t key);
 

@@ -5,6 +5,7 @@ src_libalidade_la_SOURCES += \
 	src/shade/indirect.c src/shade/indirect.h \
 	src/shade/light.c src/shade/light.h \
 	src/shade/pov/finish.c src/shade/pov/finish.h \
+	src/shade/pov/dipole.c src/shade/pov/dipole.h \
 	src/shade/pov/fog.c src/shade/pov/fog.h \
 	src/shade/pov/interior.c src/shade/pov/interior.h \
 	src/shade/pov/lights.c src/shade/pov/lights.h \
@@ -15,6 +16,7 @@ src_libalidade_la_SOURCES += \
 	src/shade/pov/sky.c \
 	src/shade/pov/spawn.c \
 	src/shade/pov/spectrum.c src/shade/pov/spectrum.h src/shade/pov/spectrum_table.h \
+	src/shade/pov/subsurface.c src/shade/pov/subsurface.h \
 	src/shade/pov/texture.c \
 	src/shade/shade.c src/shade/shade.h \
 	src/shade/tree.c src/shade/tree.h

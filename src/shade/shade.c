@@ -22,6 +22,7 @@ void shader_init(struct shader *sh, const struct scene *s, const struct geometry
 	sh->fog = s->fog_count > 0;
 	for (uint32_t i = 0; i < s->light_count; i++)
 		sh->projected |= s->light[i].projected;
+	sh->subsurface = s->subsurface.given && s->subsurface.used;
 	sh->insides = sh->translucent || sh->media || sh->fog;
 	shade_sky_init(sh);
 }

@@ -43,6 +43,8 @@ struct shader {
 	bool fog;
 	bool projected; /* some light is projected through something */
 	uint32_t soft_rounds; /* how often jittered lights are asked for, at most */
+	bool subsurface; /* light goes below some surfaces */
+	uint32_t subsurface_rays; /* from below a hit, to where light comes in */
 	bool insides; /* what rays are inside of is followed from the camera on */
 	struct open_sky {
 		struct rgb colour;
@@ -53,6 +55,7 @@ struct shader {
 /* Rays cast for shading, for the reports. */
 struct shade_counts {
 	uint64_t shadow_cast, shadow_hit;
+	uint64_t subsurface_cast, subsurface_hit; /* from below surfaces */
 };
 
 /* indirect counts only if the scene asks for it. */
@@ -70,6 +73,8 @@ void shade_sky(const struct shader *, struct node *);
 void shade_hit(const struct shader *, struct tree *, uint32_t node, const ald_ray *, const ald_hit *);
 /* Light at all hits met in this wave, shadows traced; the parts' own light is complete then. */
 void shade_light(const struct shader *, struct tree *, uint32_t thread, struct shade_counts *);
+/* The light from below the hits of this wave, whose mets are gone then, and the nodes that it asks for. */
+void shade_subsurface(const struct shader *, struct tree *, uint32_t thread, struct shade_counts *);
 /* Media between origin and end of nodes first .. first + n - 1, as veils. */
 void shade_media(const struct shader *, struct tree *, uint32_t thread, uint32_t first, uint32_t n,
 		 struct shade_counts *);

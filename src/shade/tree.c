@@ -8,6 +8,7 @@
 #include "shade/cache.h"
 
 #include "shade/pov/media.h"
+#include "shade/pov/subsurface.h"
 
 void tree_init(struct tree *t, struct mem_book *book)
 {
@@ -19,6 +20,8 @@ void tree_init(struct tree *t, struct mem_book *book)
 	t->inside.size = sizeof(struct inside);
 	t->veil.size = sizeof(struct veil);
 	t->gather.size = sizeof(struct gather);
+	t->scatter.size = sizeof(struct scatter);
+	t->beneath.size = sizeof(struct beneath);
 	t->met.size = sizeof(struct met);
 	t->layer.size = sizeof(struct lit_layer);
 	t->lit.size = sizeof(struct lit);
@@ -32,6 +35,7 @@ void tree_init(struct tree *t, struct mem_book *book)
 	t->record.size = sizeof(struct cache_record);
 	t->strata.size = sizeof(struct cache_ray);
 	media_sizes(t);
+	subsurface_sizes(t);
 }
 
 void tree_reset_wave(struct tree *t)
@@ -43,7 +47,7 @@ void tree_reset_wave(struct tree *t)
 void tree_reset(struct tree *t)
 {
 	t->node.count = t->part.count = t->mirror.count = t->inside.count = t->veil.count = 0;
-	t->gather.count = 0;
+	t->gather.count = t->scatter.count = t->beneath.count = 0;
 	tree_reset_wave(t);
 }
 
@@ -53,7 +57,8 @@ void tree_release(struct tree *t)
 			      &t->lit, &t->shadow, &t->soft, &t->cell, &t->asked, &t->ray,	   &t->hit, &t->hidden,
 			      &t->record, &t->strata,
 			      &t->media.segment, &t->media.span, &t->media.reach, &t->media.sample,
-			      &t->media.slot };
+			      &t->media.slot, &t->scatter, &t->beneath, &t->below.place, &t->below.probe,
+			      &t->below.sample };
 
 	for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); i++)
 		buf_release(all[i]);

@@ -30,6 +30,7 @@ struct node {
 	uint32_t level; /* mirrors and refractions before it */
 	uint32_t bounce; /* diffuse bounces before it: it brings indirect light if not 0 */
 	uint32_t path; /* then: which of the rays that were sent from the first of them */
+	uint32_t beneath; /* surfaces that it is below of: what they ask for is asked within what others asked */
 	uint32_t inside; /* what it is inside of, an index of tree.inside, or TREE_NONE */
 	uint32_t skip; /* the planar primitive it starts on */
 	uint32_t light_set; /* of what it hit, SCENE_NONE if nothing; known once it is traced */
@@ -87,6 +88,14 @@ struct part {
 	uint32_t bands, total_from, total_to;
 	uint32_t first_layer, layer_count; /* of tree.layer, until the wave is shaded */
 	uint32_t first_mirror, mirror_count;
+	uint32_t first_scatter, scatter_count;
+};
+
+/* A ray that a part asks for because light comes out from below it. */
+struct scatter {
+	struct rgb factor;
+	uint32_t child; /* a node */
+	bool gathered; /* it brings indirect light */
 };
 
 struct mirror {
@@ -103,6 +112,7 @@ struct lit_layer {
 	double opacity;
 	vec normal;
 	uint32_t part;
+	bool beneath; /* light goes below it: it has no diffuse of its own */
 };
 
 /* One light at one hit. */
@@ -135,6 +145,16 @@ struct met {
 	uint32_t first_part, part_count;
 	uint32_t first_layer, layer_count; /* over all its parts */
 	uint32_t first_gather;
+	uint32_t round; /* which of the points of one node that lamps shine on: others see them jittered otherwise */
+};
+
+/* A layer of a hit that light goes below. */
+struct beneath {
+	struct met met;
+	const struct finish *finish;
+	struct rgb reflectance, filter; /* filter: what the layers above let through */
+	double ior; /* relative to where the ray comes from */
+	uint32_t part;
 };
 
 /* A question to one light point, or to one point of a light's grid. */
@@ -157,13 +177,17 @@ struct cell {
 struct tree {
 	struct mem_book *book;
 	bool no_memory; /* sticky: some push failed */
-	struct buf node, part, mirror, inside, veil, gather; /* until folded */
+	struct buf node, part, mirror, inside, veil, gather, scatter; /* until folded */
 	struct buf met, layer, lit, soft, shadow, cell, asked; /* of the current wave */
 	struct buf ray, hit, hidden; /* of the current call to trace */
+	struct buf beneath; /* of the current wave, until its light is known */
 	struct buf record, strata; /* for the cache of indirect light, while it is filled */
 	struct {
 		struct buf segment, span, reach, sample, slot;
 	} media; /* see pov/media.c */
+	struct {
+		struct buf place, probe, sample;
+	} below; /* see pov/subsurface.c */
 };
 
 void tree_init(struct tree *, struct mem_book *);

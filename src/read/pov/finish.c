@@ -7,6 +7,8 @@
 
 #include "read/pov/items.h"
 
+#define DARKEST 0.01 /* of translucency's clearest colour, for those of none */
+
 /* The albedo variants are applied when the block ends, with what brilliance, phong_size and roughness
  * are by then. */
 struct draft {
@@ -148,6 +150,39 @@ static void read_old_interior(struct pov *p, struct draft *d)
 		pov_lack_add(&d->f.lack, &lack);
 }
 
+/* POV-Ray 3.7 reads anisotropy and takes it for 0. */
+static bool read_subsurface_word(struct pov *p, struct draft *d)
+{
+	enum pov_token_kind t = pov_token(p);
+	struct rgb c;
+
+	if (t != TOK_TRANSLUCENCY && t != TOK_ANISOTROPY)
+		return false;
+	pov_next(p);
+	c = rgbft_rgb(pov_finite_colour(p, keyword_text(t)));
+	if (t == TOK_TRANSLUCENCY)
+		d->f.finish.translucency = c;
+	return true;
+}
+
+static void read_subsurface(struct pov *p, struct draft *d)
+{
+	struct rgb *c = &d->f.finish.translucency;
+	double least;
+
+	d->f.opaque_at = pov_here(p);
+	if (!pov_open(p))
+		return;
+	while (!pov_failed(p) && read_subsurface_word(p, d))
+		;
+	pov_close(p, "subsurface");
+	d->f.finish.subsurface = rgb_max(*c) > 0;
+	least = rgb_max(*c) * DARKEST;
+	d->f.opaque = !(c->r > 0 && c->g > 0 && c->b > 0);
+	if (d->f.opaque && d->f.finish.subsurface)
+		*c = rgb_make(fmax(c->r, least), fmax(c->g, least), fmax(c->b, least));
+}
+
 static bool read_light_word(struct pov *p, struct draft *d)
 {
 	struct finish *f = &d->f.finish;
@@ -219,9 +254,7 @@ static bool read_other_word(struct pov *p, struct draft *d)
 		pov_float(p);
 		return true;
 	case TOK_SUBSURFACE:
-		d->f.subsurface = true;
-		pov_next(p);
-		pov_skip_block(p);
+		read_subsurface(p, d);
 		return true;
 	default:
 		return false;

@@ -441,7 +441,9 @@ void pov_items_end(struct pov *p)
 		pov_lack_use(p, &s->camera->lack);
 	if (s->photons.construct && s->object_photons.construct)
 		pov_lack_use(p, &s->photons);
-	if (s->subsurface.construct && s->finish_subsurface.construct)
-		pov_lack_use(p, &s->finish_subsurface);
+	if (s->opaque && pov_scene(p)->subsurface.given)
+		pov_warn(p, &s->opaque_at, "translucency is not positive in every colour: POV-Ray cannot "
+			 "draw this; light goes a hundredth as far as in the clearest colour, or not below at "
+			 "all if there is none");
 	note_legacy(p);
 }

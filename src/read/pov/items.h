@@ -35,7 +35,8 @@ struct pov_normal { /* ITEM_NORMAL */
 
 struct pov_finish { /* ITEM_FINISH */
 	struct finish finish;
-	bool subsurface; /* matters only if global_settings has a subsurface block too */
+	bool opaque; /* a translucency that POV-Ray cannot draw; matters if global_settings has subsurface */
+	struct diag_pos opaque_at;
 	struct pov_lack lack;
 };
 
@@ -158,7 +159,8 @@ struct pov_state {
 	struct pov_layer first_layer;
 	struct pov_camera *camera; /* the last one used */
 	struct pov_lack photons, object_photons; /* global block; first object that asks for them */
-	struct pov_lack subsurface, finish_subsurface; /* the same */
+	bool opaque; /* some finish used has no translucency in some colour */
+	struct diag_pos opaque_at;
 	uint32_t media_count;
 	struct pov_media *media; /* that fill the world */
 	bool gamma_given;

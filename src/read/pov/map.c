@@ -114,7 +114,7 @@ static struct texture *keep_texture(struct pov *p, struct map_draft *d, struct p
 		below(&d->m, &l->pigment.lack, l->pigment.depth);
 		below(&d->m, &l->normal.lack, l->normal.depth);
 		pov_lack_add(&d->m.lack, &l->finish.lack);
-		d->m.subsurface |= l->finish.subsurface;
+		d->m.subsurface |= l->finish.finish.subsurface;
 	}
 	return pov_texture_made(p, from);
 }

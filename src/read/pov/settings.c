@@ -47,7 +47,9 @@ static void read_trace_level(struct pov *p)
 	pov_scene(p)->max_trace_level = (uint32_t)x;
 }
 
-/* What only a picture with photons or subsurface light needs; decided when all has been read. */
+#define SAMPLES_MAX 1e6
+
+/* What only a picture with photons needs; decided when all has been read. */
 static void read_photons(struct pov *p)
 {
 	pov_lack_note(p, &pov_state(p)->photons, "photons",
@@ -56,11 +58,42 @@ static void read_photons(struct pov *p)
 	pov_skip_block(p);
 }
 
+/* POV-Ray takes none for 0 and less. */
+static uint32_t read_samples(struct pov *p)
+{
+	double n = trunc(pov_finite_float(p, "subsurface's samples"));
+
+	return n >= 1 ? (uint32_t)fmin(n, SAMPLES_MAX) : 0;
+}
+
+static bool read_subsurface_word(struct pov *p, struct subsurface *s)
+{
+	switch (pov_token(p)) {
+	case TOK_SAMPLES:
+		pov_next(p);
+		s->samples = read_samples(p);
+		pov_comma(p);
+		s->single_samples = read_samples(p);
+		return true;
+	case TOK_RADIOSITY:
+		pov_next(p);
+		s->radiosity = pov_bool(p, true);
+		return true;
+	default:
+		return false;
+	}
+}
+
 static void read_subsurface(struct pov *p)
 {
-	pov_lack_note(p, &pov_state(p)->subsurface, "subsurface light transport", NULL);
-	pov_next(p);
-	pov_skip_block(p);
+	struct subsurface *s = &pov_scene(p)->subsurface;
+
+	if (!pov_open(p))
+		return;
+	s->given = true;
+	while (!pov_failed(p) && read_subsurface_word(p, s))
+		;
+	pov_close(p, "subsurface");
 }
 
 uint32_t pov_noise_generator(struct pov *p)
@@ -123,9 +156,12 @@ static bool read_word(struct pov *p)
 		pov_next(p);
 		s->noise_generator = pov_noise_generator(p);
 		return true;
-	/* For what is not rendered anyway: height fields, text, subsurface. */
-	case TOK_MAX_INTERSECTIONS:
 	case TOK_MM_PER_UNIT:
+		pov_next(p);
+		s->subsurface.mm_per_unit = pov_positive(p, "mm_per_unit");
+		return true;
+	/* For what is not rendered anyway: height fields. */
+	case TOK_MAX_INTERSECTIONS:
 		pov_next(p);
 		pov_float(p);
 		return true;

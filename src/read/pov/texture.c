@@ -380,6 +380,12 @@ struct pov_texture *pov_read_texture(struct pov *p)
 
 static bool use_layer(struct pov *p, const struct pov_layer *from)
 {
+	struct pov_state *s = pov_state(p);
+
+	if (from->finish.opaque && !s->opaque) {
+		s->opaque = true;
+		s->opaque_at = from->finish.opaque_at;
+	}
 	return pov_lack_use(p, &from->pigment.lack) && pov_lack_use(p, &from->normal.lack) &&
 	       pov_lack_use(p, &from->finish.lack);
 }
@@ -387,18 +393,15 @@ static bool use_layer(struct pov *p, const struct pov_layer *from)
 /* What cannot be drawn is reported here, where it is used. */
 static bool use_all(struct pov *p, const struct pov_texture *t)
 {
-	bool subsurface = t->map.subsurface;
+	pov_scene(p)->subsurface.used |= t->map.subsurface;
 
 	if (!pov_lack_use(p, &t->lack) || !pov_lack_use(p, &t->map.lack))
 		return false;
 	for (uint32_t i = 0; i < t->count; i++) {
 		if (!use_layer(p, &t->layer[i]))
 			return false;
-		subsurface |= t->layer[i].finish.subsurface;
+		pov_scene(p)->subsurface.used |= t->layer[i].finish.finish.subsurface;
 	}
-	if (subsurface && !pov_state(p)->finish_subsurface.construct)
-		pov_lack_note(p, &pov_state(p)->finish_subsurface, "subsurface light transport",
-			      "remove subsurface { } from global_settings");
 	return true;
 }
 

@@ -14,9 +14,9 @@ bool finish_is_mirror(const struct finish *f)
 	return a->r != 0 || a->g != 0 || a->b != 0 || b->r != 0 || b->g != 0 || b->b != 0;
 }
 
-bool finish_needs_light(const struct finish *f)
+bool finish_needs_light(const struct finish *f, bool beneath)
 {
-	return f->diffuse != 0 || f->diffuse_back != 0 || f->phong != 0 || f->specular != 0;
+	return (!beneath && (f->diffuse != 0 || f->diffuse_back != 0)) || f->phong != 0 || f->specular != 0;
 }
 
 static struct rgb mix(struct rgb a, struct rgb b, double t)
@@ -94,7 +94,7 @@ static struct rgb diffuse(const struct finish *f, const struct finish_light *l, 
 {
 	double amount = l->behind ? f->diffuse_back : f->diffuse;
 
-	if (amount <= 0)
+	if (amount <= 0 || l->beneath)
 		return rgb_make(0, 0, 0);
 	cosine = fabs(cosine);
 	if (f->brilliance != 1)

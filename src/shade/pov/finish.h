@@ -19,7 +19,8 @@ struct rgb finish_reflectivity(const struct finish *, double cosine, double ior,
 double finish_mirror_weight(const struct finish *, double cosine, double ior);
 
 bool finish_is_mirror(const struct finish *);
-bool finish_needs_light(const struct finish *);
+/* beneath: what would be diffuse goes below the surface instead. */
+bool finish_needs_light(const struct finish *, bool beneath);
 
 /* Light of colour light from direction to_light (unit), seen along eye (unit, towards the surface).
  * behind: light from the far side, which only the second value of diffuse takes. */
@@ -28,7 +29,7 @@ struct finish_light {
 	struct rgb light, pigment;
 	double opacity;
 	double noise; /* 0 to 1, for crand */
-	bool behind, highlights;
+	bool behind, highlights, beneath;
 };
 struct rgb finish_shade(const struct finish *, const struct finish_light *);
 

@@ -329,6 +329,8 @@ static void area_round(const struct shader *sh, struct tree *t, struct lit *lit,
 	light_axes(a.l, a.m->p, &a.axis1, &a.axis2);
 	if (lit->soft != TREE_NONE)
 		a.round = BUF_AT(&t->soft, struct soft, lit->soft)->rounds;
+	else
+		a.round = a.m->round;
 	c = area_part(&a, 0, 0, a.l->size1 - 1, a.l->size2 - 1, 0);
 	if (a.complete && (lit->soft == TREE_NONE || soft_round(sh, &a, &c))) {
 		lit->colour = c;
@@ -384,6 +386,7 @@ static void fall(const struct shader *sh, struct tree *t, const struct met *m, c
 					  .light = colour,
 					  .pigment = layer->pigment,
 					  .opacity = layer->opacity,
+					  .beneath = layer->beneath,
 					  .highlights = !l->shadowless && !node_of(t, m)->bounce };
 
 		struct rgb c;

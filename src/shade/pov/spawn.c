@@ -31,7 +31,7 @@ static uint32_t add_node(const struct shader *sh, struct tree *t, const struct m
 	const struct node *parent = BUF_AT(&t->node, struct node, m->node); /* gone after the push */
 	struct node *n;
 	uint32_t level = parent->level + (parent->straight ? 0 : 1), i;
-	uint32_t bounce = parent->bounce, path = parent->path;
+	uint32_t bounce = parent->bounce, path = parent->path, beneath = parent->beneath;
 	double way = parent->way + m->t;
 	uint64_t key = rng_child(parent->key, s->slot);
 	double spread = parent->spread, width = parent->width + spread * m->t;
@@ -54,6 +54,7 @@ static uint32_t add_node(const struct shader *sh, struct tree *t, const struct m
 	n->level = level;
 	n->bounce = bounce;
 	n->path = path;
+	n->beneath = beneath;
 	n->way = way;
 	n->inside = s->inside;
 	n->skip = m->skip;

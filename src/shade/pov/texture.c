@@ -9,6 +9,7 @@
 #include "shade/pov/finish.h"
 #include "shade/pov/interior.h"
 #include "shade/pov/point.h"
+#include "shade/pov/subsurface.h"
 #include "shade/shade.h"
 
 /* How much of its own light a layer shows. Before 3.7 POV-Ray weighed filter by the colour. */
@@ -95,11 +96,12 @@ static void add_mirror(const struct looking *l, struct part *p, const struct loo
 	p->mirror_count++;
 }
 
-static void add_layer(struct tree *t, struct part *p, uint32_t part, const struct looked *at, double opaque)
+static void add_layer(struct tree *t, struct part *p, uint32_t part, const struct looked *at, double opaque,
+		      bool beneath)
 {
 	uint32_t i;
 
-	if (!finish_needs_light(at->finish))
+	if (!finish_needs_light(at->finish, beneath))
 		return;
 	i = tree_push(t, &t->layer, 1);
 	if (i == TREE_NONE)
@@ -109,8 +111,33 @@ static void add_layer(struct tree *t, struct part *p, uint32_t part, const struc
 								     .filter = p->filter,
 								     .opacity = opaque,
 								     .normal = at->normal,
-								     .part = part };
+								     .part = part,
+								     .beneath = beneath };
 	p->layer_count++;
+}
+
+/* A layer that light goes below. Gathered rays see it only if the radiosity block wants it. True: its indirect
+ * light goes below too, and with it that of the layers under it. */
+static bool add_beneath(const struct looking *l, const struct part *p, uint32_t part, const struct looked *at)
+{
+	const struct scene *s = l->sh->scene;
+	uint32_t i;
+
+	if (l->n->bounce && !s->radiosity.subsurface)
+		return false;
+	if (l->n->beneath < SUBSURFACE_DEEPEST) {
+		i = tree_push(l->t, &l->t->beneath, 1);
+		if (i == TREE_NONE)
+			return false;
+		*BUF_AT(&l->t->beneath, struct beneath, i) = (struct beneath){
+			.met = *l->m,
+			.finish = at->finish,
+			.reflectance = rgb_scale(rgbft_rgb(at->colour), at->finish->indirect),
+			.filter = p->filter,
+			.ior = interior_relative_ior(s, l->t, l->n->inside, l->m->object, l->m->interior),
+			.part = part };
+	}
+	return s->subsurface.radiosity;
 }
 
 /* What slope and aoi are told of it stays in the coordinates of the textures around, if a pattern blends or
@@ -149,13 +176,15 @@ static void put_layer(struct looking *l, struct part *p, uint32_t part, const st
 	const struct finish *f = one->finish;
 	double opaque = opacity(l->sh->scene, &one->colour);
 	struct rgb pigment = rgbft_rgb(one->colour), reflectivity = { 0, 0, 0 };
-	bool mirror = finish_is_mirror(f);
+	bool mirror = finish_is_mirror(f), beneath = l->sh->subsurface && f->subsurface;
 
 	if (mirror)
 		add_mirror(l, p, one, l->n->weight * p->clear, &reflectivity);
 	p->own = rgb_add(p->own, rgb_mul(p->filter, rgb_scale(glow(l->sh, f, pigment), opaque)));
 	if (l->n->bounce || !l->sh->indirect.filling) /* else nobody looks at it */
-		add_layer(l->t, p, part, one, opaque);
+		add_layer(l->t, p, part, one, opaque, beneath);
+	if (beneath && add_beneath(l, p, part, one))
+		indirect->wanted = false;
 	if (indirect->wanted)
 		indirect_layer(l->sh, l->t, l->m, indirect, f,
 			       rgb_mul(p->filter, rgb_scale(pigment, opaque)), one->normal, share);

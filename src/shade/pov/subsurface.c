@@ -5,7 +5,9 @@
  * of pov/dipole.h; light scattered once, after Jensen et al. (2001); and what is seen straight through.
  *
  * POV-Ray finds all three with random numbers. Here is what these tend to, found with low-discrepancy sequences of
- * the hit's own. What that is, as its pictures show:
+ * the hit's own. Of the rays that look for light scattered often, one half goes in all directions evenly and one to
+ * where the dipole would have it on flat surfaces above and below; they are weighed together by the balance
+ * heuristic (Veach and Guibas, 1995), or a thin slab would be mostly noise. What POV-Ray's random numbers tend to, as its pictures show:
  * - Light scattered often is looked for from a point below the hit, as deep as light goes freely on average, but no
  *   deeper than half way to the far side. Rays go in all directions; a place counts as large as the ray's cone there
  *   (cosines below a hundredth count as that), and what is found is divided by how many rays found anything, be it
@@ -20,6 +22,7 @@
 #include "shade/pov/subsurface.h"
 
 #include "base/sobol.h"
+#include "shade/frame.h"
 #include "shade/indirect.h"
 #include "shade/light.h"
 #include "shade/pov/dipole.h"
@@ -40,6 +43,8 @@ struct place {
 	const struct beneath *layer;
 	struct dipole colour[3];
 	vec base; /* below the hit */
+	double depth; /* so far below */
+	double near, decay; /* a dipole's nearer source and its decay, for all colours together */
 	vec into; /* the ray from the eye, bent */
 	bool bent; /* it is not reflected totally */
 	double way; /* along it to the next surface, mm; or infinite */
@@ -47,7 +52,8 @@ struct place {
 	vec exit, exit_dir;
 	uint32_t exit_skip;
 	double cosine, cosine_below, fresnel; /* of the ray from the eye */
-	uint32_t rays, singles, found;
+	uint32_t rays, singles;
+	double lost; /* the weights of rays that found nothing */
 	struct rgb often, once;
 	uint64_t key;
 	uint32_t first; /* of the points of its sequences */
@@ -93,12 +99,10 @@ static const struct node *node_of(const struct below *b, const struct place *p)
 	return BUF_AT(&b->t->node, struct node, p->layer->met.node);
 }
 
-/* Solids that share an interior are one here. */
+/* A union that was given an interior is one solid; objects that were given the same one each are not. */
 static bool same_solid(const struct place *p, const struct surface *s)
 {
-	const struct met *m = &p->layer->met;
-
-	return m->interior == s->interior && (m->interior != SCENE_NONE || m->object == s->object);
+	return p->layer->met.object == s->object;
 }
 
 /* By Snell's law, whichever side the normal is on; ratio of the near index to the far one. */
@@ -162,6 +166,36 @@ static bool found(const struct below *b, uint32_t i, const ald_hit **hit, struct
 		return false;
 	surface_at(b->sh->geometry, BUF_AT(&b->t->ray, ald_ray, i), *hit, s);
 	return true;
+}
+
+/* Where a share u of a dipole's nearer source's light is within, and what density its places have: the integral
+ * over a plane is 1 - near / r exp(decay (near - r)), r being how far they are from the source. */
+static double disc_radius(const struct place *p, double u)
+{
+	double want = -log(1 - u), k = p->decay * p->near, t = k > 0 ? fmin(want, log1p(want / k)) : want;
+
+	for (int i = 0; i < 8 && k > 0; i++)
+		t -= (t + k * expm1(t) - want) / (1 + k * exp(t));
+	return p->near * sqrt(fmax(0, expm1(2 * t)));
+}
+
+static double disc_density(const struct place *p, double d)
+{
+	double r = sqrt(p->near * p->near + d * d);
+
+	return p->near * (p->decay + 1 / r) * exp(p->decay * (p->near - r)) / (2 * PI * r * r);
+}
+
+/* 1 for a ray of the even half where there is no other. */
+static double weigh(const struct place *p, vec dir, double mm)
+{
+	double c = fabs(vec_dot(dir, p->layer->met.ns)), h = p->depth * mm, disc;
+
+	if (p->rays < 2)
+		return 1;
+	c = fmax(c, 1e-9);
+	disc = disc_density(p, h * sqrt(fmax(0, 1 / (c * c) - 1))) * h * h / (c * c * c) / 2;
+	return 2 / (1 + 4 * PI * disc);
 }
 
 /* How far light goes freely: by the grey of the coefficients. Black goes nowhere, and POV-Ray with it. */
@@ -247,6 +281,13 @@ static void take_base(const struct below *b, struct place *p, uint32_t ray)
 	if (found(b, ray, &hit, &s))
 		depth = same_solid(p, &s) ? hit->t / 2 : fmin(depth, hit->t - BESIDE);
 	p->base = vec_mad(m->p, m->ns, -depth);
+	p->depth = depth;
+	p->near = free_path(p);
+	p->decay = HUGE_VAL;
+	for (int i = 0; i < 3; i++) {
+		if (p->colour[i].albedo > 0)
+			p->decay = fmin(p->decay, p->colour[i].decay);
+	}
 }
 
 static void take_way(const struct below *b, struct place *p, uint32_t ray)
@@ -294,17 +335,33 @@ static vec all_around(double u, double v)
 	return vec_make(r * cos(phi), r * sin(phi), z);
 }
 
+/* Ray number k: even ones go evenly, odd ones to the discs above and below. */
+static vec direction(const struct place *p, const struct sobol *s, uint32_t at, bool disc, double mm)
+{
+	double u = sobol_at(s, at, 0), v = sobol_at(s, at, 1), d, phi = 2 * PI * v, side = 1;
+
+	if (!disc)
+		return all_around(u, v);
+	u *= 2;
+	if (u >= 1) {
+		u -= 1;
+		side = -1;
+	}
+	d = disc_radius(p, u) / mm;
+	return vec_unit(frame_around(p->layer->met.ns, d * cos(phi), d * sin(phi), side * p->depth));
+}
+
 static bool send_often(struct below *b)
 {
 	forget_rays(b);
 	for (uint32_t i = 0; i < b->t->below.place.count; i++) {
 		const struct place *p = place_at(b, i);
-		struct sobol s = sobol_make(rng_child(p->key, 0));
+		struct sobol s[2] = { sobol_make(rng_child(p->key, 0)), sobol_make(rng_child(p->key, 4)) };
 
 		for (uint32_t k = 0; k < p->rays; k++) {
 			uint32_t at = p->first * p->rays + k;
 			struct probe probe = { .place = i, .index = at };
-			vec dir = all_around(sobol_at(&s, at, 0), sobol_at(&s, at, 1));
+			vec dir = direction(p, &s[at & 1], at / 2, at & 1, b->mm);
 
 			if (!push_ray(b, p->base, dir, HUGE_VAL, ALD_NONE, &probe))
 				return false;
@@ -352,9 +409,9 @@ static bool push_gathered(struct below *b, struct place *p, const struct surface
 {
 	const struct node parent = *node_of(b, p);
 	const struct radiosity *r = &b->sh->scene->radiosity;
-	struct sobol q = sobol_make(rng_child(p->key, 0));
+	struct sobol q = sobol_make(rng_child(p->key, index & 1 ? 4 : 0));
 	struct scatter to = { .gathered = true, .child = tree_push(b->t, &b->t->node, 1) };
-	vec dir = indirect_hemisphere(s->ns, sobol_at(&q, index, 2), sobol_at(&q, index, 3));
+	vec dir = indirect_hemisphere(s->ns, sobol_at(&q, index / 2, 2), sobol_at(&q, index / 2, 3));
 
 	if (to.child == TREE_NONE)
 		return false;
@@ -388,17 +445,21 @@ static uint32_t gathering(const struct below *b, const struct place *p)
 	return most < p->rays ? most : p->rays;
 }
 
-/* POV-Ray sends one ray only below the second surface, and divides by one if it finds nothing, too. */
-static double divisor(const struct below *b, const struct place *p, uint32_t hits, uint32_t rays)
+/* By what a sum over rays is divided. POV-Ray sends one ray only below the second surface, and divides by one if it
+ * finds nothing, too. */
+static double divisor(const struct below *b, const struct place *p, uint32_t rays, double lost)
 {
-	return node_of(b, p)->beneath ? rays : hits;
+	double n = node_of(b, p)->beneath ? rays : rays - lost;
+
+	return n > 1e-3 * rays ? n : HUGE_VAL;
 }
 
 /* The rays of one place that look for light scattered often; the first is number ray. */
 static bool take_often(struct below *b, uint32_t place, uint32_t ray)
 {
 	struct place *p = place_at(b, place);
-	uint32_t gather = gathering(b, p), gathered = 0, first = b->t->scatter.count;
+	uint32_t gather = gathering(b, p), first = b->t->scatter.count;
+	double lost = 0;
 
 	for (uint32_t k = 0; k < p->rays; k++) {
 		const struct probe *probe = BUF_AT(&b->t->below.probe, struct probe, ray + k);
@@ -406,16 +467,17 @@ static bool take_often(struct below *b, uint32_t place, uint32_t ray)
 		struct sample sample = { .place = place };
 		const ald_hit *hit;
 		struct surface s;
-		double far;
+		double far, weight = weigh(p, r->dir, b->mm);
 
-		if (!found(b, ray + k, &hit, &s))
+		if (!found(b, ray + k, &hit, &s)) {
+			p->lost += weight;
+			lost += k < gather ? weight : 0;
 			continue;
-		p->found++;
-		gathered += k < gather;
+		}
 		if (!same_solid(p, &s))
 			continue;
 		far = hit->t * b->mm;
-		sample.area = 4 * PI * far * far / fmax(LEAST_COSINE, fabs(vec_dot(r->dir, s.ns)));
+		sample.area = weight * 4 * PI * far * far / fmax(LEAST_COSINE, fabs(vec_dot(r->dir, s.ns)));
 		if ((b->sh->scene->light_count && !push_sample(b, &s, hit, &sample, probe->index)) ||
 		    (k < gather && !push_gathered(b, p, &s, hit, probe->index, sample.area)))
 			return false;
@@ -423,7 +485,7 @@ static bool take_often(struct below *b, uint32_t place, uint32_t ray)
 	for (uint32_t i = first; i < b->t->scatter.count; i++) {
 		struct scatter *s = BUF_AT(&b->t->scatter, struct scatter, i);
 
-		s->factor = rgb_scale(s->factor, 1 / divisor(b, p, gathered, gather));
+		s->factor = rgb_scale(s->factor, 1 / divisor(b, p, gather, lost));
 	}
 	return true;
 }
@@ -606,8 +668,7 @@ static void shade_chunk(struct below *b)
 	for (uint32_t i = 0; i < t->below.place.count; i++) {
 		const struct place *p = place_at(b, i);
 		struct part *part = BUF_AT(&t->part, struct part, p->layer->part);
-		double n = divisor(b, p, p->found, p->rays);
-		struct rgb c = n > 0 ? rgb_scale(p->often, 1 / n) : p->often;
+		struct rgb c = rgb_scale(p->often, 1 / divisor(b, p, p->rays, p->lost));
 
 		if (p->singles)
 			c = rgb_add(c, rgb_scale(p->once, 1.0 / p->singles));

@@ -5,9 +5,9 @@
  * of pov/dipole.h; light scattered once, after Jensen et al. (2001); and what is seen straight through.
  *
  * POV-Ray finds all three with random numbers. Here is what these tend to, found with low-discrepancy sequences of
- * the hit's own. Of the rays that look for light scattered often, one half goes in all directions evenly and one to
- * where the dipole would have it on flat surfaces above and below; they are weighed together by the balance
- * heuristic (Veach and Guibas, 1995), or a thin slab would be mostly noise. What POV-Ray's random numbers tend to, as its pictures show:
+ * the hit's own. Of the rays that look for light scattered often, one half goes in all directions evenly; the
+ * other goes where the dipole would have it come from if the surfaces close by were flat. They are weighed together
+ * by the balance heuristic (Veach and Guibas, 1995), or edges and thin slabs would be mostly noise. What POV-Ray's random numbers tend to, as its pictures show:
  * - Light scattered often is looked for from a point below the hit, as deep as light goes freely on average, but no
  *   deeper than half way to the far side. Rays go in all directions; a place counts as large as the ray's cone there
  *   (cosines below a hundredth count as that), and what is found is divided by how many rays found anything, be it
@@ -36,15 +36,26 @@
 #define LEAST_COSINE 0.01 /* of a ray to the surface that it finds */
 #define BESIDE 1e-10 /* as in pov/lights.c */
 #define SINGLE_SHARE 16 /* rays that look for light scattered often to points where it is scattered once */
+#define MOST_FLAT 3
+#define PROBES 4 /* to find what is close by besides the hit's own surface */
+#define OTHER 0.9 /* cosine between the normals of surfaces that are not alike */
 #define FAINT_RAYS 2 /* of what is gathered: its other paths tell the rest */
+
+/* A surface close by, as if it were flat. */
+struct flat {
+	vec foot, normal; /* of the hit on it */
+	double source[2]; /* how far a dipole's sources are from there, mm */
+	uint32_t rays; /* that go there */
+};
 
 /* A layer whose light is being found. */
 struct place {
 	const struct beneath *layer;
 	struct dipole colour[3];
 	vec base; /* below the hit */
-	double depth; /* so far below */
-	double near, decay; /* a dipole's nearer source and its decay, for all colours together */
+	double real, mirrored, decay; /* of a dipole for all colours together */
+	struct flat flat[MOST_FLAT];
+	uint32_t flats, even; /* how many rays go everywhere */
 	vec into; /* the ray from the eye, bent */
 	bool bent; /* it is not reflected totally */
 	double way; /* along it to the next surface, mm; or infinite */
@@ -61,7 +72,8 @@ struct place {
 
 /* A ray sent from below. */
 struct probe {
-	uint32_t place, index;
+	uint32_t place;
+	uint32_t flat, index; /* light scattered often: where it was sent to, and its number there */
 	uint32_t light; /* light scattered once: which lamp */
 	unsigned colours; /* and of which colours, a bit each */
 	double out; /* and how far it is from there to the eye's hit, mm */
@@ -168,34 +180,46 @@ static bool found(const struct below *b, uint32_t i, const ald_hit **hit, struct
 	return true;
 }
 
-/* Where a share u of a dipole's nearer source's light is within, and what density its places have: the integral
- * over a plane is 1 - near / r exp(decay (near - r)), r being how far they are from the source. */
-static double disc_radius(const struct place *p, double u)
+/* Within which distance a share u of a source's light comes in, mm: on a plane it is
+ * 1 - near / r exp(decay (near - r)), r being the distance from the source and near its least. */
+static double source_radius(double near, double decay, double u)
 {
-	double want = -log(1 - u), k = p->decay * p->near, t = k > 0 ? fmin(want, log1p(want / k)) : want;
+	double want = -log(1 - u), k = decay * near, t = k > 0 ? fmin(want, log1p(want / k)) : want;
 
 	for (int i = 0; i < 8 && k > 0; i++)
 		t -= (t + k * expm1(t) - want) / (1 + k * exp(t));
-	return p->near * sqrt(fmax(0, expm1(2 * t)));
+	return near * sqrt(fmax(0, expm1(2 * t)));
 }
 
-static double disc_density(const struct place *p, double d)
+/* How dense these places are, a square millimetre. */
+static double source_density(double near, double decay, double d2)
 {
-	double r = sqrt(p->near * p->near + d * d);
+	double r = sqrt(near * near + d2);
 
-	return p->near * (p->decay + 1 / r) * exp(p->decay * (p->near - r)) / (2 * PI * r * r);
+	return near * (decay + 1 / r) * exp(decay * (near - r)) / (2 * PI * r * r);
 }
 
-/* 1 for a ray of the even half where there is no other. */
+/* How dense rays to there are in this direction from the base. */
+static double flat_density(const struct place *p, const struct flat *f, vec dir, double mm)
+{
+	double c = vec_dot(dir, f->normal), t = vec_dot(vec_sub(f->foot, p->base), f->normal) / c;
+	vec off = vec_sub(vec_mad(p->base, dir, t), f->foot);
+	double d2 = vec_dot(off, off) * mm * mm;
+
+	if (!(t > 0) || !isfinite(t))
+		return 0;
+	return (source_density(f->source[0], p->decay, d2) + source_density(f->source[1], p->decay, d2)) / 2 *
+	       t * t * mm * mm / fabs(c);
+}
+
+/* What a ray counts in comparison to one of so many that all go everywhere. */
 static double weigh(const struct place *p, vec dir, double mm)
 {
-	double c = fabs(vec_dot(dir, p->layer->met.ns)), h = p->depth * mm, disc;
+	double sum = p->even;
 
-	if (p->rays < 2)
-		return 1;
-	c = fmax(c, 1e-9);
-	disc = disc_density(p, h * sqrt(fmax(0, 1 / (c * c) - 1))) * h * h / (c * c * c) / 2;
-	return 2 / (1 + 4 * PI * disc);
+	for (uint32_t i = 0; i < p->flats; i++)
+		sum += p->flat[i].rays * 4 * PI * flat_density(p, &p->flat[i], dir, mm);
+	return p->rays / sum;
 }
 
 /* How far light goes freely: by the grey of the coefficients. Black goes nowhere, and POV-Ray with it. */
@@ -271,6 +295,17 @@ static bool look_below(struct below *b)
 	return trace_rays(b);
 }
 
+static void add_flat(struct place *p, vec on, vec normal, double mm)
+{
+	double off = vec_dot(vec_sub(on, p->layer->met.p), normal), off2 = off * off * mm * mm;
+
+	if (p->flats < MOST_FLAT)
+		p->flat[p->flats++] = (struct flat){ .foot = vec_mad(p->layer->met.p, normal, off),
+						     .normal = normal,
+						     .source = { sqrt(p->real * p->real + off2),
+								 sqrt(p->mirrored * p->mirrored + off2) } };
+}
+
 static void take_base(const struct below *b, struct place *p, uint32_t ray)
 {
 	const struct met *m = &p->layer->met;
@@ -278,16 +313,21 @@ static void take_base(const struct below *b, struct place *p, uint32_t ray)
 	const ald_hit *hit;
 	struct surface s;
 
-	if (found(b, ray, &hit, &s))
-		depth = same_solid(p, &s) ? hit->t / 2 : fmin(depth, hit->t - BESIDE);
-	p->base = vec_mad(m->p, m->ns, -depth);
-	p->depth = depth;
-	p->near = free_path(p);
+	p->real = free_path(p);
 	p->decay = HUGE_VAL;
 	for (int i = 0; i < 3; i++) {
-		if (p->colour[i].albedo > 0)
+		if (p->colour[i].albedo > 0) {
 			p->decay = fmin(p->decay, p->colour[i].decay);
+			p->mirrored = p->real * p->colour[i].mirrored / p->colour[i].real;
+		}
 	}
+	add_flat(p, m->p, m->ns, b->mm);
+	if (found(b, ray, &hit, &s)) {
+		depth = same_solid(p, &s) ? hit->t / 2 : fmin(depth, hit->t - BESIDE);
+		if (same_solid(p, &s))
+			add_flat(p, s.p, s.ns, b->mm);
+	}
+	p->base = vec_mad(m->p, m->ns, -depth);
 }
 
 static void take_way(const struct below *b, struct place *p, uint32_t ray)
@@ -303,6 +343,54 @@ static void take_way(const struct below *b, struct place *p, uint32_t ray)
 	p->leaves = true;
 	p->exit = vec_mad(s.p, s.n, vec_dot(s.n, p->exit_dir) < 0 ? -s.error : s.error);
 	p->exit_skip = s.planar ? hit->prim : ALD_NONE;
+}
+
+/* What is close to the bases, along their hits' surfaces. */
+static bool look_around(struct below *b)
+{
+	forget_rays(b);
+	for (uint32_t i = 0; i < b->t->below.place.count; i++) {
+		const struct place *p = place_at(b, i);
+		struct probe probe = { .place = i };
+
+		for (uint32_t k = 0; k < PROBES; k++) {
+			double x = k & 1 ? 0 : k & 2 ? -1 : 1, y = !(k & 1) ? 0 : k & 2 ? -1 : 1;
+			vec dir = frame_around(p->layer->met.ns, x, y, 0);
+
+			if (!push_ray(b, p->base, dir, HUGE_VAL, ALD_NONE, &probe))
+				return false;
+		}
+	}
+	return trace_rays(b);
+}
+
+/* The nearest of them, if it is no further than light goes freely; then the rays are shared out. */
+static void take_around(const struct below *b, struct place *p, uint32_t ray)
+{
+	double least = free_path(p) / b->mm;
+	struct surface nearest;
+	bool any = false;
+
+	for (uint32_t k = 0; k < PROBES; k++) {
+		const ald_hit *hit;
+		struct surface s;
+		double off;
+
+		if (!found(b, ray + k, &hit, &s) || !same_solid(p, &s) ||
+		    fabs(vec_dot(s.ns, p->layer->met.ns)) > OTHER)
+			continue;
+		off = fabs(vec_dot(vec_sub(s.p, p->base), s.ns));
+		if (off < least) {
+			least = off;
+			nearest = s;
+			any = true;
+		}
+	}
+	if (any)
+		add_flat(p, nearest.p, nearest.ns, b->mm);
+	p->even = p->rays - p->rays / 2;
+	for (uint32_t i = 0; i < p->flats; i++)
+		p->flat[i].rays = (p->rays / 2 + p->flats - 1 - i) / p->flats;
 }
 
 /* Light comes in here, perhaps. */
@@ -335,20 +423,33 @@ static vec all_around(double u, double v)
 	return vec_make(r * cos(phi), r * sin(phi), z);
 }
 
-/* Ray number k: even ones go evenly, odd ones to the discs above and below. */
-static vec direction(const struct place *p, const struct sobol *s, uint32_t at, bool disc, double mm)
+/* The sequences of the rays that go everywhere (0) and to one of the flats. */
+static struct sobol sequence(const struct place *p, uint32_t flat)
 {
-	double u = sobol_at(s, at, 0), v = sobol_at(s, at, 1), d, phi = 2 * PI * v, side = 1;
+	return sobol_make(rng_child(p->key, flat ? 3 + flat : 0));
+}
 
-	if (!disc)
-		return all_around(u, v);
-	u *= 2;
-	if (u >= 1) {
-		u -= 1;
-		side = -1;
+static vec to_flat(const struct place *p, const struct flat *f, double u, double v, double mm)
+{
+	double d = source_radius(f->source[u >= 0.5], p->decay, u >= 0.5 ? 2 * u - 1 : 2 * u) / mm, phi = 2 * PI * v;
+
+	return vec_unit(vec_sub(vec_add(f->foot, frame_around(f->normal, d * cos(phi), d * sin(phi), 0)), p->base));
+}
+
+static bool send_some(struct below *b, uint32_t place, uint32_t flat, uint32_t rays)
+{
+	const struct place *p = place_at(b, place);
+	struct sobol s = sequence(p, flat);
+
+	for (uint32_t k = 0; k < rays; k++) {
+		struct probe probe = { .place = place, .flat = flat, .index = p->first * rays + k };
+		double u = sobol_at(&s, probe.index, 0), v = sobol_at(&s, probe.index, 1);
+		vec dir = flat ? to_flat(p, &p->flat[flat - 1], u, v, b->mm) : all_around(u, v);
+
+		if (!push_ray(b, p->base, dir, HUGE_VAL, ALD_NONE, &probe))
+			return false;
 	}
-	d = disc_radius(p, u) / mm;
-	return vec_unit(frame_around(p->layer->met.ns, d * cos(phi), d * sin(phi), side * p->depth));
+	return true;
 }
 
 static bool send_often(struct below *b)
@@ -356,14 +457,11 @@ static bool send_often(struct below *b)
 	forget_rays(b);
 	for (uint32_t i = 0; i < b->t->below.place.count; i++) {
 		const struct place *p = place_at(b, i);
-		struct sobol s[2] = { sobol_make(rng_child(p->key, 0)), sobol_make(rng_child(p->key, 4)) };
 
-		for (uint32_t k = 0; k < p->rays; k++) {
-			uint32_t at = p->first * p->rays + k;
-			struct probe probe = { .place = i, .index = at };
-			vec dir = direction(p, &s[at & 1], at / 2, at & 1, b->mm);
-
-			if (!push_ray(b, p->base, dir, HUGE_VAL, ALD_NONE, &probe))
+		if (!send_some(b, i, 0, p->even))
+			return false;
+		for (uint32_t k = 0; k < p->flats; k++) {
+			if (!send_some(b, i, k + 1, p->flat[k].rays))
 				return false;
 		}
 	}
@@ -405,13 +503,14 @@ static uint32_t push_scatter(struct below *b, struct place *p, const struct scat
 /* A ray that gathers indirect light where light comes in; around the surface's own normal, whichever side of it
  * is the outer one. */
 static bool push_gathered(struct below *b, struct place *p, const struct surface *s, const ald_hit *hit,
-			  uint32_t index, double area)
+			  const struct probe *probe, double area)
 {
+	uint32_t index = probe->index;
 	const struct node parent = *node_of(b, p);
 	const struct radiosity *r = &b->sh->scene->radiosity;
-	struct sobol q = sobol_make(rng_child(p->key, index & 1 ? 4 : 0));
+	struct sobol q = sequence(p, probe->flat);
 	struct scatter to = { .gathered = true, .child = tree_push(b->t, &b->t->node, 1) };
-	vec dir = indirect_hemisphere(s->ns, sobol_at(&q, index / 2, 2), sobol_at(&q, index / 2, 3));
+	vec dir = indirect_hemisphere(s->ns, sobol_at(&q, index, 2), sobol_at(&q, index, 3));
 
 	if (to.child == TREE_NONE)
 		return false;
@@ -419,7 +518,7 @@ static bool push_gathered(struct below *b, struct place *p, const struct surface
 		(struct node){ .org = vec_mad(s->p, s->n, vec_dot(s->n, dir) < 0 ? -s->error : s->error),
 			       .dir = dir,
 			       .weight = fmax(r->adc_bailout, pow(0.5 * r->brightness, parent.bounce + 1)),
-			       .key = rng_child(p->key, 2),
+			       .key = rng_child(rng_child(p->key, 2), probe->flat),
 			       .level = indirect_level(parent.bounce + 1),
 			       .bounce = parent.bounce + 1,
 			       .path = parent.bounce ? parent.path : index,
@@ -431,35 +530,21 @@ static bool push_gathered(struct below *b, struct place *p, const struct surface
 	return push_scatter(b, p, &to) != TREE_NONE;
 }
 
-/* How many of the rays that look for light scattered often gather: the first ones. */
-static uint32_t gathering(const struct below *b, const struct place *p)
-{
-	const struct node *n = node_of(b, p);
-	uint32_t most;
-
-	if (!wants_indirect(b, n))
-		return 0;
-	if (n->bounce)
-		return p->rays ? 1 : 0;
-	most = indirect_power(b->sh->indirect.samples * fmin(1, n->weight));
-	return most < p->rays ? most : p->rays;
-}
-
 /* By what a sum over rays is divided. POV-Ray sends one ray only below the second surface, and divides by one if it
  * finds nothing, too. */
-static double divisor(const struct below *b, const struct place *p, uint32_t rays, double lost)
+static double divisor(const struct below *b, const struct place *p)
 {
-	double n = node_of(b, p)->beneath ? rays : rays - lost;
+	double n = node_of(b, p)->beneath ? p->rays : p->rays - p->lost;
 
-	return n > 1e-3 * rays ? n : HUGE_VAL;
+	return n > 1e-3 * p->rays ? n : HUGE_VAL;
 }
 
 /* The rays of one place that look for light scattered often; the first is number ray. */
 static bool take_often(struct below *b, uint32_t place, uint32_t ray)
 {
 	struct place *p = place_at(b, place);
-	uint32_t gather = gathering(b, p), first = b->t->scatter.count;
-	double lost = 0;
+	uint32_t first = b->t->scatter.count;
+	bool gather = wants_indirect(b, node_of(b, p));
 
 	for (uint32_t k = 0; k < p->rays; k++) {
 		const struct probe *probe = BUF_AT(&b->t->below.probe, struct probe, ray + k);
@@ -471,21 +556,20 @@ static bool take_often(struct below *b, uint32_t place, uint32_t ray)
 
 		if (!found(b, ray + k, &hit, &s)) {
 			p->lost += weight;
-			lost += k < gather ? weight : 0;
 			continue;
 		}
 		if (!same_solid(p, &s))
 			continue;
 		far = hit->t * b->mm;
 		sample.area = weight * 4 * PI * far * far / fmax(LEAST_COSINE, fabs(vec_dot(r->dir, s.ns)));
-		if ((b->sh->scene->light_count && !push_sample(b, &s, hit, &sample, probe->index)) ||
-		    (k < gather && !push_gathered(b, p, &s, hit, probe->index, sample.area)))
+		if ((b->sh->scene->light_count && !push_sample(b, &s, hit, &sample, p->first * p->rays + k)) ||
+		    (gather && !push_gathered(b, p, &s, hit, probe, sample.area)))
 			return false;
 	}
 	for (uint32_t i = first; i < b->t->scatter.count; i++) {
 		struct scatter *s = BUF_AT(&b->t->scatter, struct scatter, i);
 
-		s->factor = rgb_scale(s->factor, 1 / divisor(b, p, gather, lost));
+		s->factor = rgb_scale(s->factor, 1 / divisor(b, p));
 	}
 	return true;
 }
@@ -648,6 +732,10 @@ static void shade_chunk(struct below *b)
 		take_base(b, place_at(b, i), 2 * i);
 		take_way(b, place_at(b, i), 2 * i + 1);
 	}
+	if (!look_around(b))
+		return;
+	for (uint32_t i = 0; i < t->below.place.count; i++)
+		take_around(b, place_at(b, i), PROBES * i);
 	if (!send_often(b))
 		return;
 	for (uint32_t i = 0; i < t->below.place.count; ray += place_at(b, i++)->rays) {
@@ -668,7 +756,7 @@ static void shade_chunk(struct below *b)
 	for (uint32_t i = 0; i < t->below.place.count; i++) {
 		const struct place *p = place_at(b, i);
 		struct part *part = BUF_AT(&t->part, struct part, p->layer->part);
-		struct rgb c = rgb_scale(p->often, 1 / divisor(b, p, p->rays, p->lost));
+		struct rgb c = rgb_scale(p->often, 1 / divisor(b, p));
 
 		if (p->singles)
 			c = rgb_add(c, rgb_scale(p->once, 1.0 / p->singles));

@@ -310,7 +310,6 @@ static uint32_t soft_rounds(const struct scene *s, const struct render_options *
 	return camera_has_lens(&s->camera) || samples >= SOFT_ROUNDS ? 1 : SOFT_ROUNDS / samples;
 }
 
-#include <stdlib.h>
 static uint32_t subsurface_rays(const struct scene *s, const struct render_options *o)
 {
 	uint32_t share = 1;
@@ -319,8 +318,7 @@ static uint32_t subsurface_rays(const struct scene *s, const struct render_optio
 		share = LENS_RAYS;
 	if (o->aa == RENDER_AA_GRID)
 		share *= o->aa_n * o->aa_n;
-	uint32_t SR = getenv("SR") ? (uint32_t)atoi(getenv("SR")) : 256;
-	return share < SR ? SR / share : 1;
+	return share < SUBSURFACE_RAYS ? SUBSURFACE_RAYS / share : 1;
 }
 
 static bool fill(struct job *j, struct pool *pool)

@@ -35,6 +35,11 @@
 #define ANYTHING UINT32_MAX /* POV-Ray's rays below surfaces see also what is hidden from all others */
 #define LEAST_COSINE 0.01 /* of a ray to the surface that it finds */
 #define BESIDE 1e-10 /* as in pov/lights.c */
+#define ROUNDS_LEAST 4 /* which tell how good they are, */
+#define ROUNDS_MOST 32
+#define ROUND_FEWEST 8 /* if they have so many rays */
+#define GOOD 0.008 /* a standard error of the light, times its power below: a 250th of white in sRGB */
+#define GOOD_POWER 0.583
 #define SINGLE_SHARE 16 /* rays that look for light scattered often to points where it is scattered once */
 #define MOST_FLAT 3
 #define PROBES 4 /* to find what is close by besides the hit's own surface */
@@ -63,9 +68,12 @@ struct place {
 	vec exit, exit_dir;
 	uint32_t exit_skip;
 	double cosine, cosine_below, fresnel; /* of the ray from the eye */
-	uint32_t rays, singles;
+	uint32_t rays, singles; /* rays: a round */
+	uint32_t rounds, least, most; /* that were, and have to be */
 	double lost; /* the weights of rays that found nothing */
-	struct rgb often, once;
+	struct rgb often, once; /* sums over rays */
+	struct rgb before, sum, square; /* of the rounds: often before the last one; of their means */
+	bool done;
 	uint64_t key;
 	uint32_t first; /* of the points of its sequences */
 };
@@ -231,21 +239,37 @@ static double free_path(const struct place *p)
 	return rgb_grey(have) / rgb_grey(extinct);
 }
 
-/* How many rays: fewer where the pixel shows little of them. */
+static bool wants_indirect(const struct below *b, const struct node *n)
+{
+	const struct scene *s = b->sh->scene;
+
+	return s->subsurface.radiosity && b->sh->indirect.method != INDIRECT_OFF &&
+	       n->bounce < s->radiosity.recursion_limit && (n->bounce || !b->sh->indirect.filling);
+}
+
+/* How many rays: fewer where the pixel shows little of them. Rays that gather are as many as they are. */
 static void count_rays(const struct below *b, const struct node *n, struct place *p)
 {
 	const struct subsurface *s = &b->sh->scene->subsurface;
+	bool blind = b->sh->indirect.filling && !n->bounce; /* nobody looks at it */
 
 	p->rays = FAINT_RAYS;
-	p->singles = 1;
+	p->singles = p->least = p->most = 1;
+	p->first = n->bounce ? n->path : 0;
 	if (!n->bounce) {
 		p->rays = indirect_power(b->sh->subsurface_rays * fmin(1, n->weight));
 		p->singles = p->rays > SINGLE_SHARE ? p->rays / SINGLE_SHARE : 1;
+		if (p->rays >= ROUNDS_LEAST * ROUND_FEWEST && !wants_indirect(b, n)) {
+			p->rays /= ROUNDS_LEAST;
+			p->least = ROUNDS_LEAST;
+			p->most = ROUNDS_MOST;
+		}
 	}
-	p->first = n->bounce ? n->path : 0;
-	if (!s->samples || (b->sh->indirect.filling && !n->bounce))
+	if (!s->samples || blind) {
 		p->rays = 0;
-	if (!s->single_samples || (b->sh->indirect.filling && !n->bounce))
+		p->most = 1;
+	}
+	if (!s->single_samples || blind)
 		p->singles = 0;
 }
 
@@ -442,7 +466,7 @@ static bool send_some(struct below *b, uint32_t place, uint32_t flat, uint32_t r
 	struct sobol s = sequence(p, flat);
 
 	for (uint32_t k = 0; k < rays; k++) {
-		struct probe probe = { .place = place, .flat = flat, .index = p->first * rays + k };
+		struct probe probe = { .place = place, .flat = flat, .index = (p->first + p->rounds) * rays + k };
 		double u = sobol_at(&s, probe.index, 0), v = sobol_at(&s, probe.index, 1);
 		vec dir = flat ? to_flat(p, &p->flat[flat - 1], u, v, b->mm) : all_around(u, v);
 
@@ -458,6 +482,8 @@ static bool send_often(struct below *b)
 	for (uint32_t i = 0; i < b->t->below.place.count; i++) {
 		const struct place *p = place_at(b, i);
 
+		if (p->done)
+			continue;
 		if (!send_some(b, i, 0, p->even))
 			return false;
 		for (uint32_t k = 0; k < p->flats; k++) {
@@ -477,14 +503,6 @@ static struct rgb profile(const struct below *b, const struct place *p, vec in, 
 
 	return rgb_make(f * dipole_profile(&p->colour[0], d2), f * dipole_profile(&p->colour[1], d2),
 			f * dipole_profile(&p->colour[2], d2));
-}
-
-static bool wants_indirect(const struct below *b, const struct node *n)
-{
-	const struct scene *s = b->sh->scene;
-
-	return s->subsurface.radiosity && b->sh->indirect.method != INDIRECT_OFF &&
-	       n->bounce < s->radiosity.recursion_limit && (n->bounce || !b->sh->indirect.filling);
 }
 
 static uint32_t push_scatter(struct below *b, struct place *p, const struct scatter *s)
@@ -534,9 +552,9 @@ static bool push_gathered(struct below *b, struct place *p, const struct surface
  * finds nothing, too. */
 static double divisor(const struct below *b, const struct place *p)
 {
-	double n = node_of(b, p)->beneath ? p->rays : p->rays - p->lost;
+	double rays = (double)p->rays * (p->rounds + 1), n = node_of(b, p)->beneath ? rays : rays - p->lost;
 
-	return n > 1e-3 * p->rays ? n : HUGE_VAL;
+	return n > 1e-3 * rays ? n : HUGE_VAL;
 }
 
 /* The rays of one place that look for light scattered often; the first is number ray. */
@@ -562,7 +580,7 @@ static bool take_often(struct below *b, uint32_t place, uint32_t ray)
 			continue;
 		far = hit->t * b->mm;
 		sample.area = weight * 4 * PI * far * far / fmax(LEAST_COSINE, fabs(vec_dot(r->dir, s.ns)));
-		if ((b->sh->scene->light_count && !push_sample(b, &s, hit, &sample, p->first * p->rays + k)) ||
+		if ((b->sh->scene->light_count && !push_sample(b, &s, hit, &sample, (p->first + p->rounds) * p->rays + k)) ||
 		    (gather && !push_gathered(b, p, &s, hit, probe, sample.area)))
 			return false;
 	}
@@ -718,14 +736,80 @@ static void add_light(struct below *b)
 	}
 }
 
+static double standard_error(double sum, double square, double n)
+{
+	double mean = sum / n;
+
+	return sqrt(fmax(0, square / n - mean * mean) / (n - 1)) / (GOOD * pow(fmax(mean, 0.01), GOOD_POWER));
+}
+
+/* One more round is known; true if it was the last. The error is that of independent rounds; theirs is less. */
+static bool take_round(const struct below *b, struct place *p)
+{
+	struct rgb mean = rgb_scale(rgb_add(p->often, rgb_scale(p->before, -1)), 1.0 / p->rays);
+	double n = p->rounds + 1, error;
+
+	if (n >= p->most)
+		return true;
+	p->before = p->often;
+	p->sum = rgb_add(p->sum, mean);
+	p->square = rgb_add(p->square, rgb_mul(mean, mean));
+	if (n < p->least)
+		return false;
+	error = fmax(standard_error(p->sum.r, p->square.r, n), standard_error(p->sum.g, p->square.g, n));
+	error = fmax(error, standard_error(p->sum.b, p->square.b, n));
+	return error * fmin(1, node_of(b, p)->weight) <= 1;
+}
+
+/* False: that was the last, or memory is out. */
+static bool shade_round(struct below *b, bool first)
+{
+	struct tree *t = b->t;
+	uint32_t ray = 0, often;
+	bool left = false;
+
+	tree_reset_wave(t);
+	t->below.sample.count = 0;
+	if (!send_often(b))
+		return false;
+	for (uint32_t i = 0; i < t->below.place.count; i++) {
+		struct place *p = place_at(b, i);
+
+		if (p->done)
+			continue;
+		if (!take_often(b, i, ray) || (first && !push_through(b, p)))
+			return false;
+		ray += p->rays;
+	}
+	often = t->met.count;
+	for (uint32_t i = 0; i < often; i++) {
+		for (uint32_t j = 0; j < b->sh->scene->light_count; j++)
+			lights_ask(b->sh, t, i, j);
+	}
+	if (first && (!send_once(b) || !take_once(b)))
+		return false;
+	lights_answer(b->sh, t, b->thread, b->counts);
+	if (t->no_memory)
+		return false;
+	add_light(b);
+	for (uint32_t i = 0; i < t->below.place.count; i++) {
+		struct place *p = place_at(b, i);
+
+		if (p->done)
+			continue;
+		p->done = take_round(b, p);
+		p->rounds += !p->done;
+		left |= !p->done;
+	}
+	return left;
+}
+
 /* The places of a chunk, all the way. */
 static void shade_chunk(struct below *b)
 {
 	struct tree *t = b->t;
-	uint32_t ray = 0, often;
+	bool first = true;
 
-	tree_reset_wave(t);
-	t->below.sample.count = 0;
 	if (!look_below(b))
 		return;
 	for (uint32_t i = 0; i < t->below.place.count; i++) {
@@ -736,24 +820,9 @@ static void shade_chunk(struct below *b)
 		return;
 	for (uint32_t i = 0; i < t->below.place.count; i++)
 		take_around(b, place_at(b, i), PROBES * i);
-	if (!send_often(b))
-		return;
-	for (uint32_t i = 0; i < t->below.place.count; ray += place_at(b, i++)->rays) {
-		if (!take_often(b, i, ray) || !push_through(b, place_at(b, i)))
-			return;
-	}
-	often = t->met.count;
-	for (uint32_t i = 0; i < often; i++) {
-		for (uint32_t j = 0; j < b->sh->scene->light_count; j++)
-			lights_ask(b->sh, t, i, j);
-	}
-	if (!send_once(b) || !take_once(b))
-		return;
-	lights_answer(b->sh, t, b->thread, b->counts);
-	if (t->no_memory)
-		return;
-	add_light(b);
-	for (uint32_t i = 0; i < t->below.place.count; i++) {
+	while (shade_round(b, first))
+		first = false;
+	for (uint32_t i = 0; i < t->below.place.count && !t->no_memory; i++) {
 		const struct place *p = place_at(b, i);
 		struct part *part = BUF_AT(&t->part, struct part, p->layer->part);
 		struct rgb c = rgb_scale(p->often, 1 / divisor(b, p));

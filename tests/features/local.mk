@@ -100,6 +100,13 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/soft-lamp-spot.pov \
 	tests/features/soft-lamp.pov \
 	tests/features/prisms.pov \
+	tests/features/soft-subsurface.pov \
+	tests/features/soft-subsurface-ior.pov \
+	tests/features/soft-subsurface-layers.pov \
+	tests/features/soft-subsurface-mesh.pov \
+	tests/features/soft-subsurface-open.pov \
+	tests/features/soft-subsurface-slab.pov \
+	tests/features/soft-subsurface-solids.pov \
 	tests/features/solids.pov \
 	tests/features/spot.pov \
 	tests/features/superellipsoids.pov \
@@ -243,6 +250,13 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/soft-lamp-round.exr \
 	tests/features/soft-lamp-spot.exr \
 	tests/features/soft-lamp.exr \
+	tests/features/soft-subsurface.exr \
+	tests/features/soft-subsurface-ior.exr \
+	tests/features/soft-subsurface-layers.exr \
+	tests/features/soft-subsurface-mesh.exr \
+	tests/features/soft-subsurface-open.exr \
+	tests/features/soft-subsurface-slab.exr \
+	tests/features/soft-subsurface-solids.exr \
 	tests/features/pictures/make.py \
 	tests/features/pictures/old.bmp \
 	tests/features/pictures/old.tga \

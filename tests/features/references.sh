@@ -8,7 +8,7 @@ set -eu
 cd "$(dirname "$0")"
 [ $# -gt 0 ] || set -- *.pov
 
-# Jittered lamps: other blocks of pixels meet other random numbers, and their mean has less noise.
+# Jittered lamps, light below surfaces: other blocks of pixels meet other random numbers, and their mean has less noise.
 mean()
 {
 	dir=$(mktemp -d)
@@ -30,7 +30,7 @@ mean()
 
 for name; do
 	name=${name%.pov}
-	case $name in soft-lamp*) mean "$name"; continue ;; esac
+	case $name in soft-lamp* | soft-subsurface*) mean "$name"; continue ;; esac
 	case $name in alpha-*) alpha=+UA ;; *) alpha=-UA ;; esac
 	log=$(povray +I"$name.pov" +O"$name.exr" +FE $alpha +W96 +H72 -A -D -J +WT1 -GA 2>&1) || {
 		echo "$log" >&2

@@ -258,6 +258,10 @@ static void test_finishes(void **unused)
 		{ "reflection .5 reflection_exponent 2", "exponent 2 " },
 		{ "conserve_energy", "reflection_metallic 0 conserve_energy\n" },
 		{ "crand 0 irid { 0 thickness 1 } subsurface { translucency 1 }", BASE },
+		{ "subsurface { translucency <3, 2, 1> anisotropy .5 }", "translucency < 3 2 1 >\n" },
+		{ "subsurface { translucency 1.5 }", "translucency < 1.5 1.5 1.5 >\n" },
+		{ "subsurface { translucency <1, 0, .5> }", "translucency < 1 0.01 0.5 >\n" },
+		{ "subsurface { }", "reflection_metallic 0\n" }, /* light does not go below at all */
 	};
 	char text[600];
 
@@ -431,7 +435,13 @@ static void test_settings(void **unused)
 	expect_dump("#version 3.7; sphere { 0, 1 }", "version 370 assumed_gamma 1 max_trace_level 5", true);
 	expect_dump("#version 3.6; sphere { 0, 1 }", "version 360 assumed_gamma 0 ", true);
 	expect_dump("global_settings { max_trace_level 1000 }", "max_trace_level 256 ", true);
-	/* photons of objects and subsurface of finishes need the global block too */
+	expect_dump("sphere { 0, 1 finish { subsurface { translucency 1 } } } "
+		    "global_settings { mm_per_unit 4 subsurface { radiosity samples 9.5, 8 } }",
+		    "subsurface samples 9 8 mm_per_unit 4 radiosity\n", true);
+	expect_dump("global_settings { subsurface { samples 0, -3 radiosity off } }",
+		    "subsurface samples 0 0 mm_per_unit 10\n", true);
+	expect_dump("global_settings { mm_per_unit 3 }", "subsurface", false);
+	/* photons of objects need the global block too */
 	expect_dump("global_settings { photons { count 9 } subsurface { samples 9, 9 } } sphere { 0, 1 }",
 		    "sphere", true);
 }
@@ -519,8 +529,6 @@ static void test_unsupported(void **unused)
 		{ "sphere { 0, 1 finish { ior 1.3 } }", "1:24: error: ior in a finish is" },
 		{ "global_settings { photons { count 10 } } sphere { 0, 1 photons { target } }",
 		  "1:19: error: photons is" },
-		{ "global_settings { subsurface { } } sphere { 0, 1 finish { subsurface { } } }",
-		  "error: subsurface light transport is" },
 		{ "camera { mesh_camera { 1 0 } }", "1:10: error: mesh_camera is" },
 		{ "camera { fisheye normal { bumps 1 } }", "error: a normal in this kind of camera is" },
 	};

@@ -5,6 +5,7 @@ src_libalidade_la_SOURCES += \
 	src/shade/indirect.c src/shade/indirect.h \
 	src/shade/light.c src/shade/light.h \
 	src/shade/pov/finish.c src/shade/pov/finish.h \
+	src/shade/pov/below.c src/shade/pov/below.h \
 	src/shade/pov/dipole.c src/shade/pov/dipole.h \
 	src/shade/pov/fog.c src/shade/pov/fog.h \
 	src/shade/pov/interior.c src/shade/pov/interior.h \

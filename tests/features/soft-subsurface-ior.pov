@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Alidade authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The interior's index: none (1), low, high, and less than what is around. Millimetres are what the settings say.
+// The interior's index: none (1), low, high, and in between. Millimetres are what the settings say.
 #version 3.7;
 global_settings { assumed_gamma 1 mm_per_unit 25 subsurface { samples 100, 25 } }
 camera { location <0, 1, -5> look_at 0 angle 40 }
@@ -16,4 +16,4 @@ plane { y, -0.8 pigment { rgb 0.5 } }
 sphere { <-1.2, 0, 0>, 0.4 texture { Wax } }
 sphere { <-0.4, 0, 0>, 0.4 texture { Wax } interior { ior 1.2 } }
 sphere { <0.4, 0, 0>, 0.4 texture { Wax } interior { ior 2.2 } }
-sphere { <1.2, 0, 0>, 0.4 texture { Wax } interior { ior 0.8 } }
+sphere { <1.2, 0, 0>, 0.4 texture { Wax } interior { ior 1.6 } }

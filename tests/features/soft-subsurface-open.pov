@@ -4,7 +4,7 @@
 // Surfaces that enclose nothing are brighter by the rays that find nothing; area lamps are points but for their shadows,
 // and cones and fading count where light comes in.
 #version 3.7;
-global_settings { assumed_gamma 1 mm_per_unit 10 subsurface { samples 100, 25 } }
+global_settings { assumed_gamma 1 mm_per_unit 10 subsurface { samples 400, 25 } }
 camera { location <0, 1.5, -5> look_at 0 angle 40 }
 background { rgb <0.05, 0.1, 0.2> }
 light_source {

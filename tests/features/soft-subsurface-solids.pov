@@ -12,7 +12,7 @@ light_source { <2, 3, 6> rgb 0.5 }
 plane { y, -0.8 pigment { checker rgb 0.2, rgb 0.7 scale 0.3 } }
 #declare Wax = texture {
 	pigment { rgb <0.8, 0.6, 0.5> }
-	finish { ambient 0 diffuse 0.8 subsurface { translucency 6 } }
+	finish { ambient 0 diffuse 0.8 subsurface { translucency 2 } }
 }
 #declare Inside = interior { ior 1.1 }
 union {
@@ -20,7 +20,8 @@ union {
 	box { <-0.1, -0.5, -0.3>, <0.1, 0.5, 0> }
 	texture { Wax }
 	interior { Inside }
-	translate <-1.2, 0, 0>
+	scale 0.5
+	translate <-1.1, 0, 0>
 }
 union {
 	sphere { 0, 0.4 texture { Wax } interior { Inside } }

@@ -265,6 +265,14 @@ static bool push_through(struct below *b, struct place *p)
 	return push_scatter(b, p, &to) != TREE_NONE;
 }
 
+/* Lamps of the hit's own light_group. */
+static bool lights_it(const struct below *b, uint32_t place, uint32_t light)
+{
+	const struct scene *s = b->sh->scene;
+
+	return scene_lit_by(s, &s->light[light], place_at(b, place)->layer->met.light_set);
+}
+
 /* The colours that scatter as this one does, which share its points. */
 static unsigned alike(const struct place *p, int colour)
 {
@@ -303,7 +311,11 @@ static bool send_once(struct below *b)
 				continue;
 			from = vec_mad(p->layer->met.p, p->into, probe.out / b->mm);
 			for (probe.light = 0; probe.light < s->light_count; probe.light++) {
-				vec to = light_towards(&s->light[probe.light], from, vec_make(0, 0, 0)).dir;
+				vec to;
+
+				if (!lights_it(b, i, probe.light))
+					continue;
+				to = light_towards(&s->light[probe.light], from, vec_make(0, 0, 0)).dir;
 
 				if (!below_push(b, from, to, HUGE_VAL, ALD_NONE, &probe))
 					return false;
@@ -417,8 +429,10 @@ static bool shade_round(struct below *b, bool first)
 	}
 	often = t->met.count;
 	for (uint32_t i = 0; i < often; i++) {
-		for (uint32_t j = 0; j < b->sh->scene->light_count; j++)
-			lights_ask(b->sh, t, i, j);
+		for (uint32_t j = 0; j < b->sh->scene->light_count; j++) {
+			if (lights_it(b, BUF_AT(&t->below.sample, struct sample, i)->place, j))
+				lights_ask(b->sh, t, i, j);
+		}
 	}
 	if (first && (!send_once(b) || !take_once(b)))
 		return false;

@@ -18,7 +18,7 @@ plane { y, -1.1 pigment { rgb 0.5 } }
 	(R * <cos(A) * sin(B), cos(B), sin(A) * sin(B)>)
 #end
 #macro Normal(I, J)
-	#if (J = 0 | J = M) <0, M - 2 * J, 0> #else
+	#if (J = 0 | J = M) <0, 2 * J - M, 0> #else
 	vcross(Point(I, J + 0.1) - Point(I, J - 0.1), Point(I + 0.1, J) - Point(I - 0.1, J))
 	#end
 #end

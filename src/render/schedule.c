@@ -226,13 +226,20 @@ static double seconds(void)
 	return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* A sample's share of a pixel's rays: where samples are many, each gathers the less. Method 2's are shared by
- * four pixels, and each pixel has four. */
+/* How many samples share a pixel's rays: where they are many, each gathers the less. Method 2's are shared by
+ * four pixels, and each pixel has four. A lens casts more of its own. */
+static uint32_t pixel_share(const struct scene *s, const struct render_options *o)
+{
+	uint32_t share = o->aa == RENDER_AA_POV2 ? 4 : render_pixel_samples(o);
+
+	return camera_has_lens(&s->camera) ? share * LENS_RAYS : share;
+}
+
 static struct indirect indirect_options(const struct scene *scene, const struct render_options *o)
 {
 	const struct camera *c = &scene->camera;
 	struct indirect in = { .method = o->indirect, .samples = o->indirect_samples, .replications = 1 };
-	uint32_t share = 1;
+	uint32_t share = pixel_share(scene, o);
 
 	if (o->indirect == INDIRECT_CACHE) {
 		in.samples = in.samples ? in.samples : CACHE_SAMPLES;
@@ -245,13 +252,7 @@ static struct indirect indirect_options(const struct scene *scene, const struct 
 		return in;
 	}
 	in.samples = in.samples ? in.samples : INDIRECT_SAMPLES;
-	if (o->aa == RENDER_AA_GRID)
-		share = o->aa_n * o->aa_n;
-	else if (o->aa == RENDER_AA_POV2)
-		share = 4;
-	if (camera_has_lens(c)) /* its rays tell the error themselves */
-		share *= LENS_RAYS;
-	else if (o->error)
+	if (o->error && !camera_has_lens(c)) /* a lens's rays tell the error themselves */
 		in.replications = share * 2 < ERROR_SETS ? (ERROR_SETS + share - 1) / share : 2;
 	in.samples = in.samples > share ? in.samples / share : 1;
 	return in;
@@ -312,12 +313,8 @@ static uint32_t soft_rounds(const struct scene *s, const struct render_options *
 
 static uint32_t subsurface_rays(const struct scene *s, const struct render_options *o)
 {
-	uint32_t share = 1;
+	uint32_t share = pixel_share(s, o);
 
-	if (camera_has_lens(&s->camera))
-		share = LENS_RAYS;
-	if (o->aa == RENDER_AA_GRID)
-		share *= o->aa_n * o->aa_n;
 	return share < SUBSURFACE_RAYS ? SUBSURFACE_RAYS / share : 1;
 }
 

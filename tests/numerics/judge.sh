@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Every accelerator, or with shapes every round primitive, against exact arithmetic: see judge.c and shapes.c.
-# ALIDADE_ALL=1 asks 201,000 and 20,000 rays a cell instead of 600 and 200, of a seed that is new each day;
-# ALIDADE_SEED chooses another.
+# ALIDADE_ALL=1 asks 201,000 and 20,000 rays a cell instead of 600 and 200, of a seed that is new each day
+# (an hour or more); ALIDADE_SEED chooses another.
 #
 #	judge.sh [judge|shapes]
 . "${ALIDADE_SRC:-.}/tests/tap.sh"

@@ -6,20 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/rng.h"
+
 #define PI 3.14159265358979323846
-
-static uint64_t random_next(uint64_t *state)
-{
-	uint64_t z = *state += 0x9e3779b97f4a7c15u; /* splitmix64 */
-
-	z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-	z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-	return z ^ z >> 31;
-}
 
 double random_unit(uint64_t *seed)
 {
-	return (double)(random_next(seed) >> 11) * 0x1p-53;
+	return rng_unit(*seed += 0x9e3779b97f4a7c15u); /* splitmix64 */
 }
 
 double random_signed(uint64_t *seed)
@@ -29,7 +22,7 @@ double random_signed(uint64_t *seed)
 
 uint32_t random_below(uint64_t *seed, uint32_t n)
 {
-	return (uint32_t)((random_next(seed) >> 32) * n >> 32);
+	return (uint32_t)(random_unit(seed) * n);
 }
 
 vec random_direction(uint64_t *seed)

@@ -10,6 +10,7 @@
 #ifndef ALIDADE_READ_POV_ITEMS_H
 #define ALIDADE_READ_POV_ITEMS_H
 
+#include "base/buf.h"
 #include "read/pov/parser.h"
 
 /* The trees of textures are those of scene/texture.h, in the parser's arena; what stands in them is never
@@ -221,6 +222,8 @@ struct pov_object *pov_read_triangle(struct pov *, const struct diag_pos *at, bo
 /* The numbers of shapes that have a file of their own. */
 void pov_read_sweep(struct pov *, struct object *);
 void pov_read_lathe(struct pov *, struct object *);
+/* A finite point of a plane, onto the end of a buffer of double[2]; what: of what, and at: where, for errors. */
+bool pov_read_flat_point(struct pov *, struct buf *, const char *what, struct diag_pos *at);
 void pov_read_prism(struct pov *, struct object *);
 void pov_read_isosurface(struct pov *, struct object *);
 struct pov_object *pov_read_blob(struct pov *, struct pov_object *);

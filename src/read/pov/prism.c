@@ -45,25 +45,6 @@ static bool take_kind(struct pov *p, struct prism *out)
 	return true;
 }
 
-static void read_points(struct pov *p, struct buf *b, uint32_t n)
-{
-	for (uint32_t i = 0; i < n && !pov_failed(p); i++) {
-		struct diag_pos at;
-		double *point;
-
-		if (!buf_reserve(b, pov_book(p), "scene", 1)) {
-			pov_no_memory(p);
-			return;
-		}
-		pov_comma(p);
-		at = pov_here(p);
-		point = (double *)b->data + 2 * (size_t)b->count++;
-		pov_vector2(p, &point[0], &point[1]);
-		if (!pov_failed(p) && !(isfinite(point[0]) && isfinite(point[1])))
-			pov_fail_at(p, &at, "the prism's point has a component that is not a finite number");
-	}
-}
-
 static const double *point(const struct draft *d, uint32_t i)
 {
 	return (const double *)d->point.data + 2 * (size_t)i;
@@ -146,7 +127,7 @@ static void read_prism(struct pov *p, struct object *o, struct draft *d)
 {
 	static const uint32_t least[] = { [LATHE_LINEAR] = 3, [LATHE_QUADRATIC] = 4, [LATHE_CUBIC] = 5,
 					  [LATHE_BEZIER] = 4 };
-	struct diag_pos at;
+	struct diag_pos at, point_at;
 	uint32_t n;
 	double h;
 
@@ -164,7 +145,8 @@ static void read_prism(struct pov *p, struct object *o, struct draft *d)
 	at = pov_here(p);
 	n = pov_count(p, "points in a prism", least[d->prism.kind],
 		      read_limits_fill(&pov_options(p)->limits).elements);
-	read_points(p, &d->point, n);
+	for (uint32_t i = 0; i < n && pov_read_flat_point(p, &d->point, "prism", &point_at); i++)
+		;
 	d->prism.open = pov_accept(p, TOK_OPEN);
 	if (pov_failed(p))
 		return;

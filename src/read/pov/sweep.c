@@ -106,26 +106,36 @@ static bool read_lathe_kind(struct pov *p, enum lathe_kind *kind)
 	return true;
 }
 
-/* Which of them POV-Ray refuses beyond the axis was measured. */
-static void read_flat_points(struct pov *p, struct buf *b, uint32_t n)
+bool pov_read_flat_point(struct pov *p, struct buf *b, const char *what, struct diag_pos *at)
 {
-	for (uint32_t i = 0; i < n && !pov_failed(p); i++) {
-		struct diag_pos at;
-		double *point;
+	double *point;
 
-		if (!buf_reserve(b, pov_book(p), "scene", 1)) {
-			pov_no_memory(p);
+	if (!buf_reserve(b, pov_book(p), "scene", 1)) {
+		pov_no_memory(p);
+		return false;
+	}
+	pov_comma(p);
+	*at = pov_here(p);
+	point = (double *)b->data + 2 * (size_t)b->count++;
+	pov_vector2(p, &point[0], &point[1]);
+	if (!pov_failed(p) && !(isfinite(point[0]) && isfinite(point[1])))
+		pov_fail_at(p, at, "the %s's point has a component that is not a finite number", what);
+	return !pov_failed(p);
+}
+
+/* Which of them POV-Ray refuses beyond the axis was measured. */
+static void read_profile(struct pov *p, struct buf *b, uint32_t n)
+{
+	struct diag_pos at;
+
+	for (uint32_t i = 0; i < n && pov_read_flat_point(p, b, "lathe", &at); i++) {
+		double radius = ((const double *)b->data)[2 * (size_t)i];
+
+		if (radius < 0 && i && i + 1 < n) {
+			pov_fail_at(p, &at, "the lathe's point lies at radius %g; only its first and last one "
+				    "can lie beyond the axis", radius);
 			return;
 		}
-		pov_comma(p);
-		at = pov_here(p);
-		point = (double *)b->data + 2 * (size_t)b->count++;
-		pov_vector2(p, &point[0], &point[1]);
-		if (!pov_failed(p) && !(isfinite(point[0]) && isfinite(point[1])))
-			pov_fail_at(p, &at, "the lathe's point has a component that is not a finite number");
-		else if (point[0] < 0 && i && i + 1 < n)
-			pov_fail_at(p, &at, "the lathe's point lies at radius %g; only its first and last one "
-					    "can lie beyond the axis", point[0]);
 	}
 }
 
@@ -148,7 +158,7 @@ void pov_read_lathe(struct pov *p, struct object *o)
 	n = pov_count(p, "points in a lathe", least[kind], read_limits_fill(&pov_options(p)->limits).elements);
 	if (!pov_failed(p) && kind == LATHE_BEZIER && n % 4)
 		pov_fail_at(p, &at, "a lathe of bezier_spline has four points for each piece, not %u in all", n);
-	read_flat_points(p, &b, n);
+	read_profile(p, &b, n);
 	if (!pov_failed(p)) {
 		i = scene_add_lathe(pov_scene(p), n);
 		if (i == SCENE_NONE) {

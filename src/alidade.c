@@ -16,6 +16,7 @@
 
 #include "accel/load.h"
 #include "accel/trace.h"
+#include "accel/verify.h"
 #include "base/clock.h"
 #include "base/diag.h"
 #include "base/interrupt.h"
@@ -167,6 +168,8 @@ static enum status run_build(struct run *run)
 			    run->settings.stats, &run->diag);
 	if (!st)
 		run->built = run->scene;
+	if (!st && run->settings.verify)
+		st = verify_begin(run->geometry, run->settings.verify, run->pool, &run->diag);
 	progress_end(&run->progress, clock_seconds());
 	return st;
 }
@@ -310,6 +313,34 @@ static void report_nonfinite(struct run *run)
 		    run->counts.nonfinite, run->counts.nonfinite_x, run->counts.nonfinite_y);
 }
 
+/* Errors, so that -q does not silence them. False: there are some. */
+static bool report_verified(struct run *run)
+{
+	struct verify_counts c;
+	uint64_t checked = 0, different = 0;
+	char line[2048];
+
+	verify_get(run->geometry, &c);
+	for (int q = 0; q < VERIFY_QUESTIONS; q++) {
+		checked += c.checked[q];
+		different += c.different[q];
+	}
+	for (uint32_t i = 0; i < c.first_count; i++) {
+		verify_describe(run->geometry, &c.first[i], line, sizeof(line));
+		diag_report(&run->diag, DIAG_ERROR, NULL, "%s", line);
+	}
+	if (different)
+		diag_report(&run->diag, DIAG_ERROR, NULL,
+			    "of %" PRIu64 " rays that were traced again without the accelerator, %" PRIu64
+			    " got another answer: %s is not to be trusted with this scene; please report it, with "
+			    "the scene", checked, different, run->accel_text);
+	else if (c.every)
+		diag_report(&run->diag, DIAG_INFO, NULL,
+			    "%" PRIu64 " rays were traced again without the accelerator, and got the same answers",
+			    checked);
+	return different == 0;
+}
+
 /* Render and write; the picture is written whole, or what there is of it beside an older one. */
 static enum status run_picture(struct run *run)
 {
@@ -329,6 +360,8 @@ static enum status run_picture(struct run *run)
 	complete = st != STATUS_SIGINT;
 	if (run->counts.nonfinite)
 		report_nonfinite(run);
+	if (!report_verified(run))
+		st = st == STATUS_SIGINT ? st : STATUS_VERIFY;
 	if (complete || run->counts.pixels)
 		written = run_write(run, complete);
 	if (!written && run->settings.stats)
@@ -460,9 +493,9 @@ static enum status run_frames(struct run *run)
 		run->progress.index = i + 1;
 		run->progress.count = run->plan.animated ? count : 0;
 		st = interrupt_asked() ? STATUS_SIGINT : run_frame(run);
-		if (st == STATUS_NONFINITE) { /* a picture all the same */
+		if (st == STATUS_NONFINITE || st == STATUS_VERIFY) { /* a picture all the same */
 			run->drawn++;
-			worst = st;
+			worst = st > worst ? st : worst;
 			st = STATUS_OK;
 		}
 		if (st && run->plan.animated)

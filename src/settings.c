@@ -16,7 +16,8 @@ enum {
 	KEY_ALPHA = OPTION_LONG_ONLY, KEY_AA, KEY_BITS, KEY_BLUR_SAMPLES, KEY_CAMERA_ONLY, KEY_CLOCK,
 	KEY_CROP, KEY_DRY_RUN, KEY_ERROR_LAYER, KEY_INDIRECT, KEY_INDIRECT_ERROR, KEY_INDIRECT_SAMPLES,
 	KEY_LENIENT, KEY_LIMIT, KEY_LIST_ACCELS, KEY_MEMORY, KEY_PRINT_COMPLETION, KEY_PROGRESS, KEY_RANGE, KEY_SEED,
-	KEY_SKIP_EXISTING, KEY_STATS, KEY_TEXTURE_FILTER, KEY_TILE, KEY_VERSION, KEY_WRITE
+	KEY_SKIP_EXISTING, KEY_STATS, KEY_TEXTURE_FILTER, KEY_TILE, KEY_VERIFY,
+	KEY_VERSION, KEY_WRITE
 };
 
 #define INDIRECT_MAX (1u << 20)
@@ -89,6 +90,9 @@ static const struct option_spec alidade_option[] = {
 	  "stop with an error rather than use more than SIZE, as in 512M or 4G", NULL },
 	{ "tile", KEY_TILE, OPTION_ARG, "N", COMPLETE_NOTHING, NULL,
 	  "side of the squares that threads take in turn, in pixels", NULL },
+	{ "verify", KEY_VERIFY, OPTION_ARG, "N", COMPLETE_WORDS, "1 100 10000",
+	  "trace one ray in N again without an accelerator and report what differs, with status 7; slow in "
+	  "large scenes", NULL },
 	{ "camera-only", KEY_CAMERA_ONLY, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
 	  "cast camera rays only and shade nothing, for counting and timing; white is a hit", NULL },
 
@@ -504,6 +508,9 @@ static enum status set_option(void *arg, const struct option_spec *o, const char
 	case KEY_MEMORY:
 		return option_bytes(value, &s->memory) ? STATUS_OK
 						       : wrong(d, o, value, "a size, as in 512M or 4G");
+	case KEY_VERIFY:
+		s->render.verify = true;
+		return set_number(o, value, 1, UINT32_MAX, &s->verify, d);
 	case KEY_TILE:
 		return set_number(o, value, 1, 4096, &s->render.tile, d);
 	case 'L':

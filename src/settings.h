@@ -31,6 +31,7 @@ struct settings {
 	char *output; /* NULL until settings_finish() */
 	const char *accel; /* as for accel_load() */
 	uint32_t threads;
+	uint32_t verify; /* one ray in so many is asked twice; 0: none */
 	uint64_t memory; /* bytes, 0: no limit */
 	uint32_t bits;
 	bool alpha;

@@ -13,6 +13,7 @@
 #include <time.h>
 
 #include "accel/load.h"
+#include "accel/verify.h"
 #include "base/interrupt.h"
 
 static double now(void)
@@ -147,6 +148,34 @@ enum status geometry_build(struct geometry **out, const struct scene *scene,
 	return st;
 }
 
+enum status geometry_judge(struct geometry **out, const struct geometry *of, struct pool *pool, struct diag *diag)
+{
+	struct geometry *g = mem_zalloc(of->book, "verification", sizeof(*g));
+	enum status st = STATUS_OK;
+
+	*out = NULL;
+	if (!g)
+		return diag_no_memory(diag, "verification", sizeof(*g));
+	g->book = of->book;
+	g->threads = of->threads;
+	g->plugin = &accel_brute;
+	g->set = of->set;
+	g->borrowed = true;
+	accel_host_init(&g->host, g->book, pool, diag, g->plugin->name);
+	g->view = mem_zalloc(g->book, "verification", mem_product(g->set.level_count, sizeof(*g->view)));
+	if (!g->view)
+		st = diag_no_memory(diag, "verification", sizeof(*g->view));
+	if (!st)
+		st = build_levels(g, NULL, diag);
+	if (!st)
+		st = hire_workers(g, false, diag);
+	if (st)
+		geometry_free(g);
+	else
+		*out = g;
+	return st;
+}
+
 bool geometry_reuse(struct geometry *g, const struct scene *scene)
 {
 	if (!g->hash)
@@ -156,6 +185,8 @@ bool geometry_reuse(struct geometry *g, const struct scene *scene)
 	for (uint32_t t = 0; t < g->threads; t++)
 		memset(g->worker[t]->count, 0, sizeof(g->worker[t]->count));
 	g->seconds = 0;
+	if (g->verify)
+		verify_reset(g->verify);
 	return true;
 }
 
@@ -178,7 +209,9 @@ void geometry_free(struct geometry *g)
 			g->plugin->destroy(g->view[i].accel);
 	}
 	mem_free(g->view);
-	prim_set_release(&g->set);
+	verify_free(g->verify);
+	if (!g->borrowed)
+		prim_set_release(&g->set);
 	accel_host_release(&g->host);
 	mem_free(g);
 }

@@ -45,6 +45,8 @@ struct geometry {
 	struct worker **worker; /* [threads] */
 	double seconds;
 	uint64_t hash; /* of the scene's shapes; 0: not known yet */
+	struct verify *verify; /* NULL: no ray is asked twice */
+	bool borrowed; /* set is another geometry's, which outlives this one */
 };
 
 /* prims->bounds(), intersect() and intersect_n(), of instance.c. */
@@ -76,6 +78,9 @@ void accel_occluded_n(const ald_accel_plugin *, const ald_accel *, ald_query *, 
 
 /* Which leaf a level's primitive belongs to, and which face of its mesh it is. */
 uint32_t view_leaf(const struct prim_level *, uint32_t id, uint32_t *face);
+
+/* The same primitives, asked by brute force at every level. */
+enum status geometry_judge(struct geometry **out, const struct geometry *, struct pool *, struct diag *);
 
 /* Every primitive, one after the other: what is used when no plugin was chosen. */
 extern const ald_accel_plugin accel_brute;

@@ -4,6 +4,7 @@
  * Batches of world rays to the accelerator and the unbounded list, and back.
  */
 #include "accel/geometry.h"
+#include "accel/verify.h"
 
 static bool sound(const ald_ray *r)
 {
@@ -93,6 +94,8 @@ void trace_nearest(const struct geometry *g, uint32_t thread, const ald_ray *ray
 				hit[i] = (ald_hit){ .t = w->ray[i].tmax, .prim = w->plane[i] };
 		}
 	}
+	if (g->verify)
+		verify_nearest(g->verify, thread, rays, hits, n);
 }
 
 void trace_occluded(const struct geometry *g, uint32_t thread, const ald_ray *rays, uint8_t *hidden,
@@ -122,6 +125,8 @@ void trace_occluded(const struct geometry *g, uint32_t thread, const ald_ray *ra
 		for (uint32_t i = 0; i < live; i++)
 			hidden[first + w->plane[i]] = w->hidden[i];
 	}
+	if (g->verify)
+		verify_occluded(g->verify, thread, rays, hidden, n);
 }
 
 void trace_after(ald_ray *r, const ald_hit *hit)

@@ -28,6 +28,21 @@ enum trace_mask {
 	TRACE_PROJECTED = 128 /* what lights are projected through, and nothing else */
 };
 
+/* What asks, for reports. */
+enum trace_purpose {
+	TRACE_FOR_CAMERA, TRACE_FOR_SHADOW, TRACE_FOR_REFLECTED, TRACE_FOR_REFRACTED, TRACE_FOR_GATHERED,
+	TRACE_FOR_SUBSURFACE, TRACE_PURPOSES
+};
+
+/* Where a ray belongs, if rays are verified (verify.h). It stands in words that are zero in the plugin
+ * contract: what plugins see of them is. */
+static inline void trace_mark(ald_ray *r, const uint32_t pixel[2], enum trace_purpose purpose)
+{
+	r->reserved[0] = pixel[0];
+	r->reserved[1] = pixel[1];
+	r->reserved[2] = purpose;
+}
+
 struct geometry; /* opaque; made by geometry_build() */
 
 /* Textures that meet in one place: three at a triangle's corners; of a blob's components those with the

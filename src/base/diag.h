@@ -27,6 +27,7 @@ enum status {
 	STATUS_ACCEL = 4, /* accelerator not found, wrong ABI, refused */
 	STATUS_BUDGET = 5,
 	STATUS_NONFINITE = 6, /* picture written, but with NaN or Inf samples in it */
+	STATUS_VERIFY = 7, /* picture written, but an accelerator answered otherwise than brute force */
 	STATUS_SIGINT = 130,
 	STATUS_SIGTERM = 143
 };

@@ -10,12 +10,17 @@
 
 #include <inttypes.h>
 
+#include "accel/verify.h"
 #include "base/json.h"
 
 static const char *const ray_name[RENDER_RAY_KINDS] = {
 	[RENDER_CAMERA] = "camera", [RENDER_SHADOW] = "shadow", [RENDER_REFLECTED] = "reflected",
 	[RENDER_REFRACTED] = "refracted", [RENDER_GATHERED] = "gathered",
 	[RENDER_SUBSURFACE] = "subsurface",
+};
+
+static const char *const question_name[VERIFY_QUESTIONS] = {
+	[VERIFY_NEAREST] = "nearest", [VERIFY_OCCLUDED] = "occluded", [VERIFY_NEXT] = "next",
 };
 
 /* The list of accel.h: the key in JSON and the words in text. */
@@ -82,6 +87,19 @@ static void text_counters(const struct stats *s, FILE *out)
 			percent(count[ALD_COUNT_VOLUME_USEFUL], count[ALD_COUNT_VOLUME_HITS]));
 }
 
+static void text_verified(const struct stats *s, FILE *out)
+{
+	struct verify_counts c;
+
+	verify_get(s->geometry, &c);
+	if (!c.every)
+		return;
+	fprintf(out, "%-28s %15s %15s\n", "verified without accelerator", "checked", "different");
+	for (int q = 0; q < VERIFY_QUESTIONS; q++)
+		fprintf(out, "  %-26s %15" PRIu64 " %15" PRIu64 "\n", question_name[q], c.checked[q],
+			c.different[q]);
+}
+
 static void text_structure(const struct stats *s, FILE *out)
 {
 	struct geometry_counts c = { 0 };
@@ -138,6 +156,7 @@ void stats_text(const struct stats *s, FILE *out)
 	if (s->render->error >= 0)
 		fprintf(out, "%-28s %15.6f\n", "mean standard error", s->render->error);
 	text_counters(s, out);
+	text_verified(s, out);
 	text_structure(s, out);
 	text_memory(s->book, out);
 	text_time(s, out);
@@ -176,6 +195,44 @@ static void json_counters(struct json *j, const struct stats *s)
 			    percent(count[ALD_COUNT_VOLUME_USEFUL], count[ALD_COUNT_VOLUME_HITS]));
 	else
 		json_null(j, "volume_hits_useful_percent");
+	json_end(j);
+}
+
+static void json_verified(struct json *j, const struct stats *s)
+{
+	uint64_t checked = 0, different = 0;
+	struct verify_counts c;
+
+	verify_get(s->geometry, &c);
+	if (!c.every)
+		return;
+	for (int q = 0; q < VERIFY_QUESTIONS; q++) {
+		checked += c.checked[q];
+		different += c.different[q];
+	}
+	json_object(j, "verify");
+	json_uint(j, "every", c.every);
+	json_uint(j, "checked", checked);
+	json_uint(j, "different", different);
+	for (int q = 0; q < VERIFY_QUESTIONS; q++) {
+		json_object(j, question_name[q]);
+		json_uint(j, "checked", c.checked[q]);
+		json_uint(j, "different", c.different[q]);
+		json_end(j);
+	}
+	json_array(j, "first");
+	for (uint32_t i = 0; i < c.first_count; i++) {
+		char text[2048];
+
+		verify_describe(s->geometry, &c.first[i], text, sizeof(text));
+		json_object(j, NULL);
+		json_uint(j, "x", c.first[i].x);
+		json_uint(j, "y", c.first[i].y);
+		json_string(j, "question", question_name[c.first[i].question]);
+		json_string(j, "text", text);
+		json_end(j);
+	}
+	json_end(j);
 	json_end(j);
 }
 
@@ -257,6 +314,7 @@ bool stats_json(const struct stats *s, FILE *out)
 	json_head(&j, s);
 	json_rays(&j, s->render);
 	json_counters(&j, s);
+	json_verified(&j, s);
 	json_structure(&j, s);
 	json_memory(&j, s->book);
 	json_object(&j, "seconds");

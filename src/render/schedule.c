@@ -353,6 +353,7 @@ enum status render_scene(const struct scene *scene, const struct geometry *geome
 	cache_init(&j.cache, j.indirect.slack, book);
 	shader_init(&j.shader, scene, geometry, options->alpha, &j.indirect);
 	j.shader.footprints = options->texture_mip;
+	j.shader.marks = options->verify;
 	j.shader.soft_rounds = soft_rounds(scene, &j.whole);
 	j.shader.subsurface_rays = subsurface_rays(scene, &j.whole);
 	j.across = (j.whole.crop_width + j.whole.tile - 1) / j.whole.tile;

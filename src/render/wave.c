@@ -71,6 +71,12 @@ static void root_cone(const struct worker *w, const struct wave_root *r, struct 
 	}
 }
 
+/* Samples at the picture's far edges belong to its last pixels. */
+static uint32_t pixel_at(double x, uint32_t size)
+{
+	return x >= size ? size - 1 : (uint32_t)x;
+}
+
 static void put_root(struct worker *w, struct node *n, const struct wave_root *r)
 {
 	static const struct node blank = { .weight = 1, .skip = ALD_NONE, .kind = NODE_CAMERA };
@@ -79,6 +85,8 @@ static void put_root(struct worker *w, struct node *n, const struct wave_root *r
 	*n = blank; /* copied, as clearing what is not named takes longer */
 	n->key = seeded(r->key, w->options->seed);
 	n->inside = w->inside;
+	n->pixel[0] = pixel_at(r->x, w->options->width);
+	n->pixel[1] = pixel_at(r->y, w->options->height);
 	n->clear_sky = sh->alpha;
 	if (!root_ray(w, r, n)) {
 		n->nowhere = true;
@@ -110,8 +118,11 @@ static uint32_t node_mask(const struct node *n)
 	return n->mirrored ? TRACE_REFLECTED : TRACE_CAMERA;
 }
 
-static void fill_ray(ald_ray *r, const struct node *n)
+static void fill_ray(const struct worker *w, ald_ray *r, const struct node *n)
 {
+	static const enum trace_purpose purpose[] = { TRACE_FOR_CAMERA, TRACE_FOR_REFLECTED, TRACE_FOR_REFRACTED,
+						      TRACE_FOR_GATHERED };
+
 	r->org = n->org;
 	r->dir = n->dir;
 	r->tmin = 0;
@@ -119,6 +130,8 @@ static void fill_ray(ald_ray *r, const struct node *n)
 	r->mask = n->nowhere ? 0 : node_mask(n);
 	r->skip = n->skip;
 	r->after = r->after_sub[0] = r->after_sub[1] = ALD_NONE;
+	if (w->shader->marks)
+		trace_mark(r, n->pixel, purpose[n->kind]);
 }
 
 static void count_rays(struct worker *w, const struct node *n, bool hit)
@@ -144,7 +157,7 @@ static void follow_batch(struct worker *w, uint32_t first, uint32_t n, uint32_t 
 	ray = t->ray.data;
 	hit = t->hit.data;
 	for (uint32_t i = 0; i < n; i++)
-		fill_ray(&ray[i], BUF_AT(&t->node, struct node, first + i));
+		fill_ray(w, &ray[i], BUF_AT(&t->node, struct node, first + i));
 	trace_nearest(w->shader->geometry, w->thread, ray, hit, n, hints);
 
 	tree_reset_wave(t);

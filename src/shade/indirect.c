@@ -178,6 +178,7 @@ static void fill_rays(const struct shader *sh, struct tree *t, const struct met 
 			      .beneath = parent.beneath,
 			      .inside = TREE_NONE,
 			      .skip = m->skip,
+			      .pixel = { parent.pixel[0], parent.pixel[1] },
 			      .kind = NODE_GATHERED };
 
 	for (uint32_t i = 0; i < g->count; i++) {

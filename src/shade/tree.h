@@ -33,6 +33,7 @@ struct node {
 	uint32_t beneath; /* surfaces that it is below of: what they ask for is asked within what others asked */
 	uint32_t inside; /* what it is inside of, an index of tree.inside, or TREE_NONE */
 	uint32_t skip; /* the planar primitive it starts on */
+	uint32_t pixel[2]; /* that its sample lies in, for reports */
 	uint32_t light_set; /* of what it hit, SCENE_NONE if nothing; known once it is traced */
 	enum node_kind kind;
 	bool straight; /* went on through a surface without bending: not counted as a level */
@@ -162,6 +163,7 @@ struct shadow {
 	vec org, dir;
 	double depth;
 	uint32_t skip, inside;
+	uint32_t pixel[2];
 	bool air; /* fog and what else fills the world takes from it */
 	bool vacuum; /* media take nothing from it */
 	bool shadowless; /* nothing hides it */

@@ -19,5 +19,7 @@ tests_plugins_try_SOURCES = tests/plugins/try.c
 tests_plugins_try_LDADD = src/libalidade.la
 TESTS += tests/plugins/load.sh
 EXTRA_DIST += tests/plugins/load.sh tests/plugins/bad.c
+TESTS += tests/plugins/verify.sh
+EXTRA_DIST += tests/plugins/verify.sh tests/plugins/liar.c
 TESTS += tests/plugins/template.sh
 EXTRA_DIST += tests/plugins/template.sh

@@ -47,6 +47,9 @@ bool below_push(struct below *b, vec org, vec dir, double most, uint32_t skip, c
 						     .after = ALD_NONE,
 						     .after_sub = { ALD_NONE, ALD_NONE } };
 	*BUF_AT(&b->t->below.probe, struct probe, k) = *probe;
+	if (b->sh->marks)
+		trace_mark(BUF_AT(&b->t->ray, ald_ray, i), node_of(b, place_at(b, probe->place))->pixel,
+			   TRACE_FOR_SUBSURFACE);
 	return true;
 }
 

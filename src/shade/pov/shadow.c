@@ -17,7 +17,7 @@
 #define BATCH 1024
 #define CAUSTICS_POWER 45 /* measured: caustics 1 narrows the light to the 45th power */
 
-static void make_ray(ald_ray *r, const struct shadow *s, uint32_t mask)
+static void make_ray(const struct shader *sh, ald_ray *r, const struct shadow *s, uint32_t mask)
 {
 	r->org = s->org;
 	r->dir = s->dir;
@@ -26,6 +26,8 @@ static void make_ray(ald_ray *r, const struct shadow *s, uint32_t mask)
 	r->mask = mask;
 	r->skip = s->skip;
 	r->after = r->after_sub[0] = r->after_sub[1] = ALD_NONE;
+	if (sh->marks)
+		trace_mark(r, s->pixel, TRACE_FOR_SHADOW);
 }
 
 /* Looking at what a surface lets through. */
@@ -131,7 +133,7 @@ static void cross(const struct shader *sh, struct tree *t, struct shadow *s, ald
 	if (at.anew) {
 		s->org = vec_mad(s->org, s->dir, h->t);
 		s->depth -= h->t;
-		make_ray(r, s, TRACE_SHADOW_CLEAR);
+		make_ray(sh, r, s, TRACE_SHADOW_CLEAR);
 	} else {
 		trace_after(r, h);
 	}
@@ -145,7 +147,7 @@ static void filter_batch(const struct shader *sh, struct tree *t, uint32_t threa
 	ald_hit *hit = t->hit.data;
 
 	for (uint32_t i = 0; i < n; i++)
-		make_ray(&ray[i], &s[live[i]], TRACE_SHADOW_CLEAR);
+		make_ray(sh, &ray[i], &s[live[i]], TRACE_SHADOW_CLEAR);
 	while (n) {
 		uint32_t left = 0;
 
@@ -178,7 +180,7 @@ static void trace_batch(const struct shader *sh, struct tree *t, uint32_t thread
 	uint32_t live[BATCH], left = 0;
 
 	for (uint32_t i = 0; i < n; i++)
-		make_ray(&ray[i], &s[i], TRACE_SHADOW_OPAQUE);
+		make_ray(sh, &ray[i], &s[i], TRACE_SHADOW_OPAQUE);
 	trace_occluded(sh->geometry, thread, ray, hidden, n, 0);
 	counts->shadow_cast += n;
 	for (uint32_t i = 0; i < n; i++) {
@@ -201,7 +203,7 @@ static bool find_projected(const struct shader *sh, uint32_t thread, const struc
 	ald_hit hit;
 	ald_ray ray;
 
-	make_ray(&ray, s, TRACE_PROJECTED);
+	make_ray(sh, &ray, s, TRACE_PROJECTED);
 	for (;;) {
 		struct surface at;
 

@@ -35,6 +35,7 @@ static uint32_t add_node(const struct shader *sh, struct tree *t, const struct m
 	double way = parent->way + m->t;
 	uint64_t key = rng_child(parent->key, s->slot);
 	double spread = parent->spread, width = parent->width + spread * m->t;
+	uint32_t x = parent->pixel[0], y = parent->pixel[1];
 	bool seen_in_mirror = parent->mirrored || s->kind == NODE_REFLECTED;
 
 	if (!shade_worth(sh, bounce, level, s->weight))
@@ -58,6 +59,8 @@ static uint32_t add_node(const struct shader *sh, struct tree *t, const struct m
 	n->way = way;
 	n->inside = s->inside;
 	n->skip = m->skip;
+	n->pixel[0] = x;
+	n->pixel[1] = y;
 	n->kind = s->kind;
 	n->straight = s->straight;
 	n->mirrored = seen_in_mirror;

@@ -179,6 +179,7 @@ static bool push_gathered(struct below *b, struct place *p, const struct surface
 			       .beneath = parent.beneath + 1,
 			       .inside = TREE_NONE,
 			       .skip = s->planar ? hit->prim : ALD_NONE,
+			       .pixel = { parent.pixel[0], parent.pixel[1] },
 			       .kind = NODE_GATHERED };
 	to.factor = rgb_mul(p->layer->filter, profile(b, p, s->p, 1, area));
 	return push_scatter(b, p, &to) != TREE_NONE;
@@ -263,6 +264,7 @@ static bool push_through(struct below *b, struct place *p)
 			       .way = parent.way + p->layer->met.t + p->way / b->mm,
 			       .inside = TREE_NONE,
 			       .skip = p->exit_skip,
+			       .pixel = { parent.pixel[0], parent.pixel[1] },
 			       .kind = NODE_REFRACTED,
 			       .mirrored = parent.mirrored };
 	return push_scatter(b, p, &to) != TREE_NONE;

@@ -36,17 +36,41 @@ static double size_of(vec p)
 	return fabs(p.x) + fabs(p.y) + fabs(p.z);
 }
 
+/* Of a triangle whose area is too small for a cross product of doubles: any across its longest edge. */
+static vec sliver_normal(const vec c[3])
+{
+	vec longest = { 0, 0, 0 };
+	double most = 0;
+
+	for (unsigned k = 0; k < 3; k++) {
+		vec e = vec_sub(c[(k + 1) % 3], c[k]);
+		double l = ald_max(ald_max(fabs(e.x), fabs(e.y)), fabs(e.z));
+
+		if (l > most) {
+			longest = vec_scale(e, 1 / l);
+			most = l;
+		}
+	}
+	return vec_cross(longest, fabs(longest.x) < 0.5 ? vec_make(1, 0, 0) :
+				  fabs(longest.y) < 0.5 ? vec_make(0, 1, 0) :
+							  vec_make(0, 0, 1));
+}
+
 /* By its corners' weights, which keeps the point in the plane whatever the error of t. */
 static void place_triangle(const struct prim_level *l, uint32_t id, double u, double v, struct place *out)
 {
 	vec c[3], n;
-	double w = 1 - u - v;
+	double w = 1 - u - v, big;
 
 	prim_triangle(l, id, c);
 	out->p = vec_add(vec_add(vec_scale(c[0], w), vec_scale(c[1], u)), vec_scale(c[2], v));
 	n = vec_cross(vec_sub(c[2], c[0]), vec_sub(c[1], c[0])); /* the side POV-Ray calls outside */
-	/* Scaled before it is squared: tiny triangles. */
-	out->n = vec_unit(vec_scale(n, 1 / ald_max(ald_max(fabs(n.x), fabs(n.y)), fabs(n.z))));
+	big = ald_max(ald_max(fabs(n.x), fabs(n.y)), fabs(n.z));
+	if (!(big > 0x1p-1022)) {
+		n = sliver_normal(c);
+		big = 1;
+	}
+	out->n = vec_unit(vec_scale(n, 1 / big)); /* scaled before it is squared: tiny triangles */
 	out->error = 64 * ALD_U * ald_max(ald_max(size_of(c[0]), size_of(c[1])), size_of(c[2]));
 }
 

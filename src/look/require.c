@@ -47,20 +47,9 @@ static void look_at_shapes(const struct scene *s, struct features *f)
 
 static void print_objects(const struct scene *s, const struct features *f, FILE *out)
 {
-	static const char *const name[SHAPE_KINDS] = {
-		[SHAPE_MESH] = "mesh", [SHAPE_SPHERE] = "sphere", [SHAPE_BOX] = "box",
-		[SHAPE_CONE] = "cone or cylinder", [SHAPE_PLANE] = "plane", [SHAPE_DISC] = "disc",
-		[SHAPE_TORUS] = "torus", [SHAPE_SUPERELLIPSOID] = "superellipsoid",
-		[SHAPE_SWEEP] = "sphere_sweep", [SHAPE_BLOB] = "blob", [SHAPE_LATHE] = "lathe",
-		[SHAPE_PRISM] = "prism",
-		[SHAPE_ISOSURFACE] = "isosurface",
-		[SHAPE_UNION] = "union", [SHAPE_MERGE] = "merge",
-		[SHAPE_INTERSECTION] = "intersection",
-	};
-
 	for (int k = 0; k < SHAPE_KINDS; k++) {
 		if (f->kinds[k])
-			fprintf(out, "  %-18s %" PRIu64 "\n", name[k], f->kinds[k]);
+			fprintf(out, "  %-18s %" PRIu64 "\n", shape_name((enum shape_kind)k), f->kinds[k]);
 	}
 	if (s->mesh_count)
 		fprintf(out,

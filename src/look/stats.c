@@ -300,6 +300,12 @@ static void json_head(struct json *j, const struct stats *s)
 	json_uint(j, "pixels", s->render->pixels);
 	json_uint(j, "samples", s->render->samples);
 	json_uint(j, "nonfinite", s->render->nonfinite);
+	if (s->render->nonfinite) {
+		json_object(j, "nonfinite_first");
+		json_uint(j, "x", s->render->nonfinite_x);
+		json_uint(j, "y", s->render->nonfinite_y);
+		json_end(j);
+	}
 	if (s->render->error >= 0)
 		json_double(j, "mean_error", s->render->error);
 }

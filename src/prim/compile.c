@@ -6,6 +6,7 @@
  */
 #include "prim/compile.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -195,12 +196,60 @@ static enum status choose_levels(struct prim_set *s, struct diag *diag)
 	return STATUS_OK;
 }
 
+void prim_drop(struct prim_set *s, uint32_t leaf, uint64_t count, uint32_t face)
+{
+	uint32_t object = s->leaf[leaf].object, n = (uint32_t)s->dropped_objects;
+
+	s->dropped += count;
+	if (s->dropped_objects && s->last_dropped == leaf) {
+		if (n <= PRIM_DROPPED_SHOWN)
+			s->dropped_first[n - 1].count += count;
+		return;
+	}
+	s->last_dropped = leaf;
+	if (s->dropped_objects++ < PRIM_DROPPED_SHOWN)
+		s->dropped_first[n] = (struct prim_dropped){ object, face, count };
+}
+
+/* "3 triangles of the mesh in a.pov:12, the first being number 7" */
+static int describe_dropped(const struct prim_set *s, const struct prim_dropped *p, char *out, size_t size)
+{
+	const struct object *o = &s->scene->object[p->object];
+	const char *kind = shape_name(o->kind);
+	char where[512];
+
+	if (o->pos.file)
+		snprintf(where, sizeof(where), "%s in %s:%u", kind, o->pos.file, o->pos.line);
+	else
+		snprintf(where, sizeof(where), "%s that is object %u", kind, p->object);
+	if (o->kind == SHAPE_MESH)
+		return snprintf(out, size, "%llu triangle%s of the %s, %snumber %u",
+				(unsigned long long)p->count, p->count == 1 ? "" : "s", where,
+				p->count == 1 ? "" : "the first being ", p->face);
+	return snprintf(out, size, "the %s", where);
+}
+
 static void report_dropped(const struct prim_set *s, struct diag *diag)
 {
-	if (s->dropped)
-		diag_report(diag, DIAG_WARNING, NULL,
-			    "%llu primitive%s without area, or too large for a double, left out",
-			    (unsigned long long)s->dropped, s->dropped == 1 ? "" : "s");
+	char list[4096];
+	size_t n = 0;
+
+	if (!s->dropped)
+		return;
+	for (uint32_t i = 0; i < s->dropped_objects && i < PRIM_DROPPED_SHOWN && n + 3 < sizeof(list); i++) {
+		int wrote;
+
+		n += (size_t)snprintf(list + n, sizeof(list) - n, "%s", i ? "; " : "");
+		wrote = describe_dropped(s, &s->dropped_first[i], list + n, sizeof(list) - n);
+		n += wrote < 0 ? 0 : (size_t)wrote;
+	}
+	if (s->dropped_objects > PRIM_DROPPED_SHOWN && n < sizeof(list))
+		snprintf(list + n, sizeof(list) - n, "; and of %llu more object%s",
+			 (unsigned long long)(s->dropped_objects - PRIM_DROPPED_SHOWN),
+			 s->dropped_objects - PRIM_DROPPED_SHOWN == 1 ? "" : "s");
+	diag_report(diag, DIAG_WARNING, NULL,
+		    "%llu primitive%s without area, or too large, left out: %s",
+		    (unsigned long long)s->dropped, s->dropped == 1 ? "" : "s", list);
 }
 
 enum status prim_compile(struct prim_set *s, const struct scene *scene, struct mem_book *book,

@@ -39,6 +39,7 @@ struct prim_leaf { /* an object that is no union, with all that it inherits */
 	unsigned flags;
 	uint32_t level; /* the instanced mesh's, or 0 */
 	uint32_t node; /* in the set's csg, or SCENE_NONE */
+	bool absurd; /* too large to be there */
 	bool cut; /* clips others, and shows no surface of its own */
 	uint32_t item; /* index among level 0's analytic primitives, its bodies, its instances, or the
 			  unbounded ones; SCENE_NONE: baked mesh, or dropped. In constructive solid
@@ -102,6 +103,18 @@ struct prim_unbounded {
 	uint32_t leaf, mask, node;
 };
 
+/* What is left out of the scene, for want of area or because it is too large, by object: the first ones. */
+#define PRIM_DROPPED_SHOWN 6
+struct prim_dropped {
+	uint32_t object;
+	uint32_t face; /* of a mesh, the first one */
+	uint64_t count; /* of primitives: a mesh's triangles; others' surfaces are one */
+};
+
+/* In world units; no length, but where products of three such numbers beside ordinary ones come to the end of
+ * what doubles hold: what reaches further is left out. */
+#define PRIM_ABSURD 0x1p300
+
 struct prim_set {
 	const struct scene *scene;
 	struct mem_book *book;
@@ -114,7 +127,9 @@ struct prim_set {
 	struct csg csg;
 	struct arena arena; /* data of bodies */
 	void **body_data[SHAPE_KINDS]; /* by kind and the scene's number of the shape; NULL until made */
-	uint64_t dropped;
+	uint64_t dropped, dropped_objects;
+	uint32_t last_dropped; /* leaf */
+	struct prim_dropped dropped_first[PRIM_DROPPED_SHOWN];
 	ald_box world; /* of the finite geometry; empty if there is none */
 };
 
@@ -137,8 +152,16 @@ static inline vec prim_level_point(const struct prim_level *l, vec p)
 }
 /* The map from mesh to level coordinates: the leaf's place (NULL: none), then the level's frame. */
 struct mat prim_bake_mat(const struct prim_level *, const struct xform *place);
+/* No NaN, no infinity, nothing absurd; in world units. */
+static inline bool prim_sane(vec p)
+{
+	return fabs(p.x) <= PRIM_ABSURD && fabs(p.y) <= PRIM_ABSURD && fabs(p.z) <= PRIM_ABSURD;
+}
+/* Note that primitives of this leaf are left out. */
+void prim_drop(struct prim_set *, uint32_t leaf, uint64_t count, uint32_t face);
 bool prim_join_mesh(ald_box *, const struct mesh *, const struct mat *);
-/* Add the mesh's triangles to the level as one group; group arrays have room. */
+/* Add the mesh's triangles to the level as one group of leaf; group arrays have room. In the level of an
+ * instanced mesh the group has no leaf, and leaf is its first one. */
 enum status prim_bake_mesh(struct prim_set *, struct prim_level *, const struct mesh *, uint32_t leaf,
 			   const struct mat *, struct diag *);
 void prim_narrow_vertices(struct prim_level *); /* to float, if that loses nothing */

@@ -146,15 +146,16 @@ enum status layout_mesh_level(struct prim_set *s, uint32_t level, struct diag *d
 {
 	struct prim_level *l = &s->level[level];
 	const struct mesh *m = NULL;
+	uint32_t leaf = 0;
 	struct sums n = { .groups = 1 };
 	ald_box box = ald_box_empty();
 	struct mat mat;
 	enum status st;
 
-	for (uint32_t i = 0; i < s->leaf_count && !m; i++) {
-		if (s->leaf[i].level == level)
-			m = &s->scene->mesh[s->leaf[i].mesh];
-	}
+	while (leaf < s->leaf_count && s->leaf[leaf].level != level)
+		leaf++;
+	if (leaf < s->leaf_count)
+		m = &s->scene->mesh[s->leaf[leaf].mesh];
 	l->box = ald_box_empty();
 	if (!m)
 		return STATUS_OK;
@@ -166,9 +167,10 @@ enum status layout_mesh_level(struct prim_set *s, uint32_t level, struct diag *d
 	if (st)
 		return st;
 	mat = prim_bake_mat(l, NULL);
-	st = prim_bake_mesh(s, l, m, SCENE_NONE, &mat, diag);
+	st = prim_bake_mesh(s, l, m, leaf, &mat, diag);
 	if (st)
 		return st;
+	l->group[0].leaf = SCENE_NONE;
 	l->group_first[1] = l->tri_count;
 	l->count = l->tri_count;
 	prim_narrow_vertices(l);
@@ -186,7 +188,7 @@ static bool join_instance(const struct prim_level *in, const struct xform *place
 			  i & 4 ? in->box.hi.z : in->box.lo.z };
 
 		c = mat_point(&place->fwd, vec_add(vec_scale(c, 1 / in->scale), in->shift));
-		if (vec_finite(c))
+		if (prim_sane(c))
 			ald_box_join(box, &(ald_box){ c, c });
 	}
 	return in->count > 0;
@@ -211,7 +213,13 @@ static const void *body_data(struct prim_set *s, const struct object *o)
 	return (*list)[i];
 }
 
-static bool body_box(struct prim_set *s, const struct prim_leaf *f, ald_box *box)
+static bool box_is_sane(struct prim_leaf *f, const ald_box *b)
+{
+	f->absurd = !prim_sane(b->lo) || !prim_sane(b->hi);
+	return !f->absurd;
+}
+
+static bool body_box(struct prim_set *s, struct prim_leaf *f, ald_box *box)
 {
 	const struct object *o = &s->scene->object[f->object];
 	const struct body_data *data = body_data(s, o);
@@ -226,12 +234,14 @@ static bool body_box(struct prim_set *s, const struct prim_leaf *f, ald_box *box
 			return false;
 		ald_box_join(&all, &q.box);
 	}
+	if (data->pieces && !box_is_sane(f, &all))
+		return false;
 	ald_box_join(box, &all);
 	return data->pieces > 0;
 }
 
 /* Where a leaf lies in the world; false: nowhere, or without bounds. */
-static bool leaf_box(struct prim_set *s, const struct prim_leaf *f, ald_box *box)
+static bool leaf_box(struct prim_set *s, struct prim_leaf *f, ald_box *box)
 {
 	const struct object *o = &s->scene->object[f->object];
 	struct prim p;
@@ -243,7 +253,7 @@ static bool leaf_box(struct prim_set *s, const struct prim_leaf *f, ald_box *box
 	if (body_ops_of(f->kind))
 		return body_box(s, f, box);
 	if (!is_bounded(f->kind) ||
-	    !prim_make(&p, o, &f->place, vec_make(0, 0, 0), 1, 0, 0))
+	    !prim_make(&p, o, &f->place, vec_make(0, 0, 0), 1, 0, 0) || !box_is_sane(f, &p.box))
 		return false;
 	ald_box_join(box, &p.box);
 	return true;
@@ -304,8 +314,8 @@ static enum status add_body(struct prim_set *s, struct prim_level *l, uint32_t l
 
 	if (!data)
 		return diag_no_memory(diag, "the geometry", 0);
-	if (!data->pieces || !body_make(p, o, &f->place, l->shift, l->scale, data)) {
-		s->dropped++;
+	if (!data->pieces || f->absurd || !body_make(p, o, &f->place, l->shift, l->scale, data)) {
+		prim_drop(s, leaf, 1, 0);
 		return STATUS_OK;
 	}
 	p->node = f->node;
@@ -314,7 +324,7 @@ static enum status add_body(struct prim_set *s, struct prim_level *l, uint32_t l
 		struct prim_piece *q = &l->piece[l->piece_count + i];
 
 		if (!piece_make(q, p, l->body_count, i, l->size, l->pad)) {
-			s->dropped++;
+			prim_drop(s, leaf, 1, 0);
 			return STATUS_OK;
 		}
 		ald_box_join(&all, &q->box);
@@ -388,8 +398,8 @@ static void add_prim(struct prim_set *s, struct prim_level *l, uint32_t leaf)
 	const struct prim_leaf *f = &s->leaf[leaf];
 	struct prim *p = &l->prim[l->prim_count];
 
-	if (!make_solid(s, l, f, p)) {
-		s->dropped++;
+	if (f->absurd || !make_solid(s, l, f, p)) {
+		prim_drop(s, leaf, 1, 0);
 		return;
 	}
 	clip_box(s, f, l, p);
@@ -405,7 +415,7 @@ static void add_hidden(struct prim_set *s, struct prim_level *l, uint32_t leaf)
 	struct prim_leaf *f = &s->leaf[leaf];
 	struct prim *p = &l->prim[l->prim_count + l->hidden_prims];
 
-	if (!make_solid(s, l, f, p))
+	if (f->absurd || !make_solid(s, l, f, p))
 		return;
 	p->open = false;
 	f->item = l->prim_count + l->hidden_prims++;
@@ -467,7 +477,7 @@ static void add_instance(struct prim_set *s, struct prim_level *l, uint32_t leaf
 	}
 	bound_instance(s, p, in, l);
 	if (!vec_finite(p->box.lo) || !vec_finite(p->box.hi)) {
-		s->dropped += in->count;
+		prim_drop(s, leaf, in->count, 0);
 		return;
 	}
 	if (f->cut) {
@@ -491,7 +501,7 @@ static void add_plane(struct prim_set *s, const struct prim_level *l, uint32_t l
 	struct prim_unbounded *p = &s->unbounded[s->unbounded_count];
 
 	if (!plane_make(&p->plane, &s->scene->object[f->object], &f->place, l->shift, l->scale)) {
-		s->dropped++;
+		prim_drop(s, leaf, 1, 0);
 		return;
 	}
 	p->leaf = leaf;
@@ -529,7 +539,7 @@ static void world_frame(struct prim_level *l, const ald_box *world, const struct
 {
 	ald_box all = *world;
 
-	if (s->has_camera && vec_finite(s->camera.location))
+	if (s->has_camera && prim_sane(s->camera.location))
 		ald_box_join(&all, &(ald_box){ s->camera.location, s->camera.location });
 	prim_level_frame(l, &all);
 }
@@ -579,7 +589,7 @@ static enum status add_solids(struct prim_set *s, struct prim_level *l, struct d
 static void bound_csg(struct prim_set *s)
 {
 	for (uint32_t i = 0; i < s->leaf_count; i++) {
-		const struct prim_leaf *f = &s->leaf[i];
+		struct prim_leaf *f = &s->leaf[i];
 		ald_box own = ald_box_empty();
 		struct csg_node *n;
 
@@ -601,7 +611,7 @@ static void bound_csg(struct prim_set *s)
 }
 
 /* Of all that shows. */
-static void join_leaf(struct prim_set *s, const struct prim_leaf *f)
+static void join_leaf(struct prim_set *s, struct prim_leaf *f)
 {
 	if (f->node == SCENE_NONE)
 		leaf_box(s, f, &s->world);

@@ -62,7 +62,7 @@ bool prim_join_mesh(ald_box *box, const struct mesh *m, const struct mat *mat)
 	for (uint32_t i = 0; i < m->vertex_count; i++) {
 		vec p = mat_point(mat, mesh_vertex(m, i));
 
-		if (!vec_finite(p))
+		if (!prim_sane(p))
 			continue;
 		ald_box_join(box, &(ald_box){ p, p });
 		any = true;
@@ -70,11 +70,38 @@ bool prim_join_mesh(ald_box *box, const struct mesh *m, const struct mat *mat)
 	return any;
 }
 
-static bool has_area(vec a, vec b, vec c)
+static bool within(vec p, double most)
+{
+	return fabs(p.x) <= most && fabs(p.y) <= most && fabs(p.z) <= most;
+}
+
+/* What rounding makes nothing may still have area: a sliver in a seam, without which there would be a crack. */
+static bool has_area(vec a, vec b, vec c, double most)
 {
 	vec n = vec_cross(vec_sub(b, a), vec_sub(c, a));
+	ald_prep p = { .o = { a.x, a.y, a.z } };
 
-	return vec_finite(n) && (n.x != 0 || n.y != 0 || n.z != 0);
+	if (!within(a, most) || !within(b, most) || !within(c, most))
+		return false;
+	if (n.x != 0 || n.y != 0 || n.z != 0)
+		return true;
+	for (unsigned k = 0; k < 3; k++) {
+		p.kz = k;
+		p.d[0] = k == 0;
+		p.d[1] = k == 1;
+		p.d[2] = k == 2;
+		if (ald_exact_volume(&p, &b, &c) != 0)
+			return true;
+	}
+	return false;
+}
+
+/* The number of a dropped face as the file has it, as far as that is known: smooth faces stand first in m. */
+static uint32_t file_face(const struct mesh *m, uint32_t i)
+{
+	bool sorted = m->smooth_count && m->smooth_count < m->triangle_count;
+
+	return sorted && m->empty_face != SCENE_NONE ? m->empty_face : i;
 }
 
 /* From now on the group's faces have to be looked up: the first n are in order. */
@@ -98,6 +125,7 @@ enum status prim_bake_mesh(struct prim_set *s, struct prim_level *l, const struc
 	uint32_t base = l->vertex_count, first = l->tri_count;
 	double *vertex = (double *)l->vertex + 3 * (size_t)base;
 	const vec *v = (const vec *)l->vertex;
+	double most = PRIM_ABSURD * l->scale;
 
 	g->leaf = leaf;
 	l->group_first[l->group_count++] = first;
@@ -115,8 +143,8 @@ enum status prim_bake_mesh(struct prim_set *s, struct prim_level *l, const struc
 		uint32_t n = l->tri_count - first;
 
 		if (in[0] >= m->vertex_count || in[1] >= m->vertex_count || in[2] >= m->vertex_count ||
-		    !has_area(v[base + in[0]], v[base + in[1]], v[base + in[2]])) {
-			s->dropped++;
+		    !has_area(v[base + in[0]], v[base + in[1]], v[base + in[2]], most)) {
+			prim_drop(s, leaf, 1, file_face(m, i));
 			if (!g->face && start_faces(g, s->book, n, m->triangle_count, diag))
 				return STATUS_FAILED;
 			continue;

@@ -185,7 +185,7 @@ bool prim_make(struct prim *p, const struct object *o, const struct xform *place
 	if (!prim_frame(p, &m, place, shift, scale) || !isfinite(p->a) || !isfinite(p->b) ||
 	    (o->kind == SHAPE_BOX && !box_faces(p, o, place, shift, scale)) ||
 	    ((o->kind == SHAPE_CONE || o->kind == SHAPE_DISC) && !flat_ends(p, o, place, shift, scale)) ||
-	    !vec_finite(p->half))
+	    !vec_finite(p->half) || (o->kind == SHAPE_TORUS && p->a == 0))
 		return false;
 	for (unsigned k = 0; k < 3; k++) {
 		double up = ops_of(p)->reach(p, k, true), down = ops_of(p)->reach(p, k, false);

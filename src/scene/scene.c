@@ -205,6 +205,8 @@ uint32_t scene_add_mesh(struct scene *s)
 	uint32_t i = grow(s, &p, &s->mesh_count, &s->mesh_room, sizeof(*s->mesh));
 
 	s->mesh = p;
+	if (i != SCENE_NONE)
+		s->mesh[i].empty_face = SCENE_NONE;
 	return i;
 }
 
@@ -574,4 +576,20 @@ uint64_t scene_hash(const struct scene *s)
 	for (uint32_t i = 0; i < s->interior_count; i++)
 		h = hash_interior(h, &s->interior[i]);
 	return hash_shapes(h, s);
+}
+
+const char *shape_name(enum shape_kind kind)
+{
+	static const char *const name[SHAPE_KINDS] = {
+		[SHAPE_MESH] = "mesh", [SHAPE_SPHERE] = "sphere", [SHAPE_BOX] = "box",
+		[SHAPE_CONE] = "cone or cylinder", [SHAPE_PLANE] = "plane", [SHAPE_DISC] = "disc",
+		[SHAPE_TORUS] = "torus", [SHAPE_SUPERELLIPSOID] = "superellipsoid",
+		[SHAPE_SWEEP] = "sphere_sweep", [SHAPE_BLOB] = "blob", [SHAPE_LATHE] = "lathe",
+		[SHAPE_PRISM] = "prism",
+		[SHAPE_ISOSURFACE] = "isosurface",
+		[SHAPE_UNION] = "union", [SHAPE_MERGE] = "merge",
+		[SHAPE_INTERSECTION] = "intersection",
+	};
+
+	return name[kind];
 }

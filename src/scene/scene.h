@@ -106,6 +106,8 @@ struct mesh {
 	uint32_t smooth_count; /* the first so many triangles have normals, the others are flat */
 	uint32_t *texture; /* [triangle_count * textures_per_face] scene textures (SCENE_NONE: the
 			      object's own), or NULL: all have the object's own texture */
+	uint32_t empty_face; /* number in the file of the first face without area, SCENE_NONE: there is none, or
+				which is not known; for messages */
 	uint32_t textures_per_face; /* 0, 1, or 3: one per corner, blended */
 	uint32_t uv_count;
 	float *uv; /* [2 * uv_count], or NULL: no texture of the scene asks for them */
@@ -289,6 +291,9 @@ struct subsurface {
 	uint32_t samples, single_samples; /* POV-Ray's, of light scattered often and once */
 	double mm_per_unit; /* > 0; finishes count in millimetres */
 };
+
+/* As the language calls it, or nearly. */
+const char *shape_name(enum shape_kind);
 
 /* What inside out makes of a kind with children, as POV-Ray does it: twice is not always what it was. */
 static inline enum shape_kind shape_inverse(enum shape_kind k)

@@ -153,34 +153,47 @@ static vec normal_get(const struct mesh_draft *d, uint32_t i)
 	return vec_make((double)v[0], (double)v[1], (double)v[2]);
 }
 
-enum face_class { FACE_NONE, FACE_FLAT, FACE_SMOOTH };
-
-/* Flat, smooth (not all three normals the same, as POV-Ray decides it), or without area. */
-static enum face_class classify(const struct mesh_draft *d, size_t face)
+/* Smooth: not all three normals are the same, as POV-Ray decides it. */
+static bool is_smooth(const struct mesh_draft *d, size_t face)
 {
 	const uint32_t *v = (const uint32_t *)d->index.data + 3 * face;
 	const uint32_t *n = v;
-	vec a = vertex_get(d, v[0]), b = vertex_get(d, v[1]), c = vertex_get(d, v[2]), n0, n1, n2;
+	vec n0, n1, n2;
 
-	if (vec_length(vec_cross(vec_sub(a, b), vec_sub(c, b))) == 0)
-		return FACE_NONE;
 	if (face >= d->smooth_count)
-		return FACE_FLAT;
+		return false;
 	if (d->normal_index.data)
 		n = (const uint32_t *)d->normal_index.data + 3 * face;
 	if (n[0] == n[1] && n[0] == n[2])
-		return FACE_FLAT;
+		return false;
 	n0 = normal_get(d, n[0]);
 	n1 = vec_sub(n0, normal_get(d, n[1]));
 	n2 = vec_sub(n0, normal_get(d, n[2]));
-	return vec_dot(n1, n1) > TINY || vec_dot(n2, n2) > TINY ? FACE_SMOOTH : FACE_FLAT;
+	return vec_dot(n1, n1) > TINY || vec_dot(n2, n2) > TINY;
+}
+
+/* The number that the file knows it by, of the first face without area. What is without area is decided, and
+ * left out, where it stands in the scene (prim/mesh.c): transforms may round it to have some, and then the seam
+ * between its neighbours needs it. */
+static uint32_t first_empty(const struct mesh_draft *d)
+{
+	const uint32_t *v = d->index.data;
+
+	for (size_t i = 0; i < d->index.count; i++, v += 3) {
+		vec a = vertex_get(d, v[0]), b = vertex_get(d, v[1]), c = vertex_get(d, v[2]);
+		vec n = vec_cross(vec_sub(a, b), vec_sub(c, b));
+
+		if (n.x == 0 && n.y == 0 && n.z == 0)
+			return (uint32_t)i;
+	}
+	return SCENE_NONE;
 }
 
 struct face_record {
 	uint32_t index[3], texture[3], uv[3];
 };
 
-static void move_face(struct mesh_draft *d, size_t to, size_t from, bool with_normal)
+static void move_face(struct mesh_draft *d, size_t to, size_t from)
 {
 	uint32_t *index = d->index.data, *normal = d->normal_index.data, *texture = d->texture.data;
 	uint32_t *uv = d->uv_index.data;
@@ -189,7 +202,7 @@ static void move_face(struct mesh_draft *d, size_t to, size_t from, bool with_no
 	if (to == from)
 		return;
 	memcpy(index + 3 * to, index + 3 * from, 3 * sizeof(*index));
-	if (with_normal && normal)
+	if (normal)
 		memcpy(normal + 3 * to, normal + 3 * from, 3 * sizeof(*normal));
 	if (texture)
 		memcpy(texture + per * to, texture + per * from, per * sizeof(*texture));
@@ -221,51 +234,36 @@ static void restore_face(struct mesh_draft *d, const struct face_record *r, size
 		memcpy(uv + 3 * face, r->uv, sizeof(r->uv));
 }
 
-/* Smooth faces first, then flat ones, each in the file's order; *dropped: those without area. */
-static bool sort_faces(struct pov *p, struct mesh_draft *d, size_t *dropped)
+/* Smooth faces first, then flat ones, each in the file's order. */
+static bool sort_faces(struct pov *p, struct mesh_draft *d)
 {
 	struct face_record *flat = NULL;
 	size_t n = d->index.count, smooth = 0, flats = 0, smooths = 0;
 
-	*dropped = 0;
-	for (size_t i = 0; i < n; i++) {
-		enum face_class c = classify(d, i);
-
-		*dropped += c == FACE_NONE;
-		smooths += c == FACE_SMOOTH;
-	}
-	flats = n - *dropped - smooths;
-	if (smooths == n || flats == n) { /* as nearly always */
+	for (size_t i = 0; i < n; i++)
+		smooths += is_smooth(d, i);
+	flats = n - smooths;
+	if (!smooths || !flats) { /* as nearly always */
 		d->smooth_count = (uint32_t)smooths;
 		return true;
 	}
-	if (smooths && flats) {
-		flat = mem_alloc(pov_book(p), "mesh", mem_product(flats, sizeof(*flat)));
-		if (!flat)
-			return pov_no_memory(p);
-	}
+	flat = mem_alloc(pov_book(p), "mesh", mem_product(flats, sizeof(*flat)));
+	if (!flat)
+		return pov_no_memory(p);
 	flats = 0;
 	for (size_t i = 0; i < n; i++) {
-		enum face_class c = classify(d, i);
-
-		/* What lies behind the moved ones has been saved or is dropped. */
-		if (c == FACE_SMOOTH)
-			move_face(d, smooth++, i, true);
-		else if (c == FACE_FLAT && flat)
+		/* What lies behind the moved ones has been saved. */
+		if (is_smooth(d, i))
+			move_face(d, smooth++, i);
+		else
 			save_face(d, &flat[flats++], i);
-		else if (c == FACE_FLAT)
-			move_face(d, flats++, i, false);
 	}
-	for (size_t i = 0; flat && i < flats; i++)
+	for (size_t i = 0; i < flats; i++)
 		restore_face(d, &flat[i], smooth + i);
 	mem_free(flat);
-	d->index.count = smooths + flats;
-	d->texture.count = d->index.count;
 	d->smooth_count = (uint32_t)smooths;
 	if (d->normal_index.data)
 		d->normal_index.count = smooths;
-	if (d->uv_index.data)
-		d->uv_index.count = d->index.count;
 	return true;
 }
 
@@ -297,17 +295,13 @@ static void fill_mesh(struct mesh *m, struct mesh_draft *d)
 struct pov_object *mesh_finish(struct pov *p, struct mesh_draft *d)
 {
 	struct pov_object *o = pov_object_new(p, SHAPE_MESH, &d->pos);
-	size_t dropped;
+	uint32_t empty = first_empty(d);
 
-	if (!o || pov_failed(p) || !sort_faces(p, d, &dropped))
+	if (!o || pov_failed(p) || !sort_faces(p, d))
 		return NULL;
 	o->mesh = pov_new(p, sizeof(*o->mesh));
 	if (!o->mesh)
 		return NULL;
-	if (dropped)
-		pov_warn(p, &d->pos, "%zu triangle%s of the mesh %s no area and %s left out", dropped,
-			 dropped == 1 ? "" : "s", dropped == 1 ? "has" : "have",
-			 dropped == 1 ? "is" : "are");
 	o->mesh->list = d->list;
 	o->mesh->list_count = d->list_count;
 	o->mesh->partial = d->partial;
@@ -319,6 +313,7 @@ struct pov_object *mesh_finish(struct pov *p, struct mesh_draft *d)
 		return NULL;
 	}
 	fill_mesh(&pov_scene(p)->mesh[o->mesh->index], d);
+	pov_scene(p)->mesh[o->mesh->index].empty_face = empty;
 	mesh_draft_release(d);
 	return o;
 }

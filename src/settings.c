@@ -16,10 +16,11 @@ enum {
 	KEY_ALPHA = OPTION_LONG_ONLY, KEY_AA, KEY_BITS, KEY_BLUR_SAMPLES, KEY_CAMERA_ONLY, KEY_CLOCK,
 	KEY_CROP, KEY_DRY_RUN, KEY_ERROR_LAYER, KEY_INDIRECT, KEY_INDIRECT_ERROR, KEY_INDIRECT_SAMPLES,
 	KEY_LENIENT, KEY_LIMIT, KEY_LIST_ACCELS, KEY_MEMORY, KEY_PRINT_COMPLETION, KEY_PROGRESS, KEY_RANGE, KEY_SEED,
-	KEY_SKIP_EXISTING, KEY_STATS, KEY_TEXTURE_FILTER, KEY_TILE, KEY_VERIFY,
+	KEY_SKIP_EXISTING, KEY_SPP, KEY_STATS, KEY_TEXTURE_FILTER, KEY_TILE, KEY_VERIFY,
 	KEY_VERSION, KEY_WRITE
 };
 
+#define SPP_MAX (1u << 24)
 #define INDIRECT_MAX (1u << 20)
 #define INDIRECT_WORDS "exact cache off"
 #define AA_WORDS "none 2 3 4 pov1 pov2"
@@ -40,6 +41,10 @@ static const struct option_spec alidade_option[] = {
 	{ "aa", KEY_AA, OPTION_ARG, "METHOD", COMPLETE_WORDS, AA_WORDS,
 	  "anti-aliasing: none; N for N x N rays a pixel; pov1 or pov2 for POV-Ray's adaptive methods, "
 	  "with :threshold=..,depth=..,gamma=..; none is the default",
+	  NULL },
+	{ "spp", KEY_SPP, OPTION_ARG, "N", COMPLETE_WORDS, "16 64 256 1024",
+	  "N samples a pixel, of its area and of all that is random: focal blur, soft shadows, indirect light; "
+	  "instead of --aa",
 	  NULL },
 	{ "blur-samples", KEY_BLUR_SAMPLES, OPTION_ARG, "N", COMPLETE_NOTHING, NULL,
 	  "focal blur: N rays a sample; otherwise as many as a good picture takes", NULL },
@@ -482,6 +487,8 @@ static enum status set_option(void *arg, const struct option_spec *o, const char
 		return set_crop(s, o, value, d);
 	case KEY_AA:
 		return set_aa(s, o, value, d);
+	case KEY_SPP:
+		return set_number(o, value, 1, SPP_MAX, &s->render.spp, d);
 	case KEY_BLUR_SAMPLES:
 		return set_number(o, value, 1, 65536, &s->render.blur_samples, d);
 	case KEY_TEXTURE_FILTER:

@@ -112,6 +112,21 @@ static bool ends_in(const char *name, const char *ending)
 	return n >= m && !strcmp(name + n - m, ending);
 }
 
+/* A sample is one of everything, so nothing else can say how many there are. */
+static enum status check_samples(const struct settings *s, struct diag *d)
+{
+	const struct render_options *r = &s->render;
+	const char *other = s->given & GIVEN_AA						 ? "--aa" :
+			    r->blur_samples						 ? "--blur-samples" :
+			    r->indirect_samples && r->indirect != INDIRECT_CACHE ? "--indirect-samples" :
+										   NULL;
+
+	if (!r->spp || !other)
+		return STATUS_OK;
+	return diag_fail(d, STATUS_USAGE, NULL,
+			 "--spp and %s both say how many rays a pixel gets: give one of them", other);
+}
+
 enum status settings_finish(struct settings *s, const struct read_job *job, struct diag *d)
 {
 	struct render_options *r = &s->render;
@@ -132,6 +147,8 @@ enum status settings_finish(struct settings *s, const struct read_job *job, stru
 		st = take_crop(s, job, d);
 	if (!(s->given & GIVEN_AA))
 		take_aa(s, job);
+	if (r->spp)
+		r->aa = RENDER_AA_NONE;
 	if (!(s->given & GIVEN_ALPHA) && job->set & READ_JOB_ALPHA)
 		s->alpha = job->alpha;
 	r->alpha = s->alpha;
@@ -139,6 +156,9 @@ enum status settings_finish(struct settings *s, const struct read_job *job, stru
 		st = take_output(s, job->output, d);
 	if (!st && !s->output)
 		st = name_after(s, s->scene, ".png", d);
+	if (st)
+		return st;
+	st = check_samples(s, d);
 	if (st)
 		return st;
 	if (r->error && r->indirect == INDIRECT_CACHE)
@@ -164,7 +184,8 @@ void settings_describe(const struct settings *s, char *out, size_t size)
 		n += snprintf(out + n, size - (size_t)n, " crop %u,%u,%u,%u", r->crop_x, r->crop_y,
 			      r->crop_width, r->crop_height);
 	if (n >= 0 && (size_t)n < size)
-		n += snprintf(out + n, size - (size_t)n, " aa %s", aa[r->aa]);
+		n += r->spp ? snprintf(out + n, size - (size_t)n, " %u samples a pixel", r->spp) :
+			      snprintf(out + n, size - (size_t)n, " aa %s", aa[r->aa]);
 	if (r->aa != RENDER_AA_NONE && n >= 0 && (size_t)n < size)
 		n += snprintf(out + n, size - (size_t)n, ":depth=%u", r->aa_n);
 	if (r->aa > RENDER_AA_GRID && n >= 0 && (size_t)n < size)

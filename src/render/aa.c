@@ -11,6 +11,8 @@
  */
 #include "render/aa.h"
 
+#include "render/paths.h"
+
 #define UNKNOWN UINT32_MAX
 #define SAMPLES_HELD 16384
 #define GRID_SIDE 512 /* places along the side of an adaptive part's grid; 2^9, the deepest, fits */
@@ -292,12 +294,36 @@ static bool adaptive(struct worker *w, const struct aa_tile *tile, struct aa_pix
 	return true;
 }
 
+/* The same number of samples everywhere, in one set a pixel. */
+static bool sampled(struct worker *w, const struct aa_tile *tile, uint32_t n, struct aa_pixel *pixel)
+{
+	uint32_t count = tile->width * tile->height;
+	struct path_run *run;
+
+	w->run.size = sizeof(struct path_run);
+	w->run.count = 0;
+	if (tree_push(&w->tree, &w->run, count) == TREE_NONE)
+		return false;
+	run = w->run.data;
+	for (uint32_t i = 0; i < count; i++)
+		run[i] = (struct path_run){ .x = tile->x + i % tile->width, .y = tile->y + i / tile->width,
+					    .count = n };
+	if (!paths_trace(w, run, count))
+		return false;
+	for (uint32_t i = 0; i < count; i++)
+		pixel[i] = (struct aa_pixel){ .colour = rgb_scale(run[i].sum, 1.0 / n),
+					      .transmit = run[i].transmit / n, .finite = run[i].finite };
+	return true;
+}
+
 bool aa_render(struct worker *w, const struct aa_tile *tile, struct aa_pixel *pixel)
 {
 	const struct render_options *o = w->options;
 
 	for (uint32_t i = 0; i < tile->width * tile->height; i++)
 		pixel[i] = (struct aa_pixel){ .finite = true };
+	if (o->spp)
+		return sampled(w, tile, o->spp, pixel);
 	switch (o->aa) {
 	case RENDER_AA_GRID:
 		return plain(w, tile, o->aa_n, pixel);

@@ -28,7 +28,7 @@ static bool push_places(struct worker *w, uint32_t left, uint32_t top, uint32_t 
 		for (uint32_t x = 0; x < SIDE; x++) {
 			struct sample s = { .x = (double)(left + x * step + step / 2) + 0.5,
 					    .y = (double)(top + y * step + step / 2) + 0.5 };
-			struct wave_root root = { .x = s.x, .y = s.y, .key = wave_key(&s) };
+			struct wave_root root = { .x = s.x, .y = s.y, .key = wave_seeded(w, wave_key(&s)) };
 
 			if (s.x > o->width || s.y > o->height)
 				continue;

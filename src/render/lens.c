@@ -37,8 +37,7 @@ struct lens_sum {
 	bool done;
 };
 
-/* From the square to the disc, keeping areas in proportion (Shirley and Chiu, 1997). */
-static void disc(double a, double b, double *x, double *y)
+void lens_disc(double a, double b, double *x, double *y)
 {
 	double r, phi;
 
@@ -62,11 +61,11 @@ static void disc(double a, double b, double *x, double *y)
 static bool push_ray(struct worker *w, const struct lens_sum *l, uint32_t i)
 {
 	const struct sample *s = BUF_AT(&w->sample, struct sample, l->sample);
-	struct wave_root root = { .key = rng_child(wave_key(s), i) };
+	struct wave_root root = { .key = wave_seeded(w, rng_child(wave_key(s), i)) };
 
 	root.x = s->x + sobol_at(&l->sequence, i, 2) - 0.5;
 	root.y = s->y + sobol_at(&l->sequence, i, 3) - 0.5;
-	disc(sobol_at(&l->sequence, i, 0), sobol_at(&l->sequence, i, 1), &root.lens_x, &root.lens_y);
+	lens_disc(sobol_at(&l->sequence, i, 0), sobol_at(&l->sequence, i, 1), &root.lens_x, &root.lens_y);
 	return wave_push(w, &root);
 }
 
@@ -184,7 +183,7 @@ bool lens_trace(struct worker *w, uint32_t first, uint32_t n)
 		const struct sample *s = BUF_AT(&w->sample, struct sample, first + i);
 
 		sum[i] = (struct lens_sum){ .sample = first + i,
-					    .sequence = sobol_make(wave_key(s)) };
+					    .sequence = sobol_make(wave_seeded(w, wave_key(s))) };
 	}
 	if (!trace_samples(w, sum, n))
 		return false;

@@ -11,4 +11,7 @@
 /* As wave_trace(), for cameras with a lens. */
 bool lens_trace(struct worker *w, uint32_t first, uint32_t n);
 
+/* From the square 0 .. 1 to the disc of radius 1, keeping areas in proportion (Shirley and Chiu, 1997). */
+void lens_disc(double a, double b, double *x, double *y);
+
 #endif

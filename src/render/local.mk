@@ -3,6 +3,7 @@ src_libalidade_la_SOURCES += \
 	src/render/fill.c src/render/fill.h \
 	src/render/fold.c src/render/fold.h \
 	src/render/lens.c src/render/lens.h \
+	src/render/paths.c src/render/paths.h \
 	src/render/render.h \
 	src/render/schedule.c \
 	src/render/wave.c src/render/wave.h

@@ -28,6 +28,7 @@ struct render_options {
 	uint32_t aa_n; /* grid: samples a side; pov1: samples a side; pov2: depth of recursion */
 	double aa_threshold; /* pov1, pov2: summed difference of r, g and b after encoding */
 	double aa_gamma; /* pov1, pov2: the encoding to compare in, 2.5 */
+	uint32_t spp; /* samples a pixel, each of everything that is random, instead of aa; 0: as aa says */
 	bool texture_mip; /* pictures' smaller copies are there (pattern/mip.h), and are used */
 	uint32_t blur_samples; /* focal blur: rays a sample; 0: until the picture is good enough */
 	uint32_t tile; /* side in pixels, 0: default */
@@ -51,7 +52,7 @@ static inline uint32_t render_pixel_samples(const struct render_options *o)
 {
 	bool all = o->aa == RENDER_AA_GRID || (o->aa == RENDER_AA_POV1 && o->aa_threshold <= 0);
 
-	return all ? o->aa_n * o->aa_n : 1;
+	return o->spp ? o->spp : all ? o->aa_n * o->aa_n : 1;
 }
 
 enum render_ray {

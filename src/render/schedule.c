@@ -29,6 +29,7 @@
 #define CACHE_REACH_PART 0.1
 #define LENS_RAYS 32 /* of a sample, at least */
 #define SUBSURFACE_RAYS 256 /* a pixel, about */
+#define SUBSURFACE_PATH 32 /* a sample, which cannot do with one: a ratio is estimated (shade/pov/subsurface.c) */
 #define ERROR_SETS 16 /* replications a pixel that its error is estimated from */
 
 struct job {
@@ -196,6 +197,7 @@ static void free_workers(struct job *j, uint32_t threads)
 		buf_release(&j->worker[i].sample);
 		buf_release(&j->worker[i].map);
 		buf_release(&j->worker[i].lens);
+		buf_release(&j->worker[i].run);
 		buf_release(&j->worker[i].frame);
 	}
 	for (uint32_t i = 0; i < threads && j->pixel; i++)
@@ -249,6 +251,10 @@ static struct indirect indirect_options(const struct scene *scene, const struct 
 			in.pixel = vec_length(c->right) / o->width;
 		else
 			in.pixel_angle = vec_length(c->right) / vec_length(c->direction) / o->width;
+		return in;
+	}
+	if (o->spp) {
+		in.samples = 1;
 		return in;
 	}
 	in.samples = in.samples ? in.samples : INDIRECT_SAMPLES;
@@ -308,13 +314,15 @@ static uint32_t soft_rounds(const struct scene *s, const struct render_options *
 {
 	uint32_t samples = render_pixel_samples(o);
 
-	return camera_has_lens(&s->camera) || samples >= SOFT_ROUNDS ? 1 : SOFT_ROUNDS / samples;
+	return o->spp || camera_has_lens(&s->camera) || samples >= SOFT_ROUNDS ? 1 : SOFT_ROUNDS / samples;
 }
 
 static uint32_t subsurface_rays(const struct scene *s, const struct render_options *o)
 {
 	uint32_t share = pixel_share(s, o);
 
+	if (o->spp)
+		return SUBSURFACE_PATH;
 	return share < SUBSURFACE_RAYS ? SUBSURFACE_RAYS / share : 1;
 }
 
@@ -354,6 +362,7 @@ enum status render_scene(const struct scene *scene, const struct geometry *geome
 	shader_init(&j.shader, scene, geometry, options->alpha, &j.indirect);
 	j.shader.footprints = options->texture_mip;
 	j.shader.marks = options->verify;
+	j.shader.one_path = j.whole.spp > 0;
 	j.shader.soft_rounds = soft_rounds(scene, &j.whole);
 	j.shader.subsurface_rays = subsurface_rays(scene, &j.whole);
 	j.across = (j.whole.crop_width + j.whole.tile - 1) / j.whole.tile;

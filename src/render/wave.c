@@ -29,9 +29,9 @@ uint64_t wave_key(const struct sample *s)
 	return rng_mix(rng_mix(x) + y);
 }
 
-static uint64_t seeded(uint64_t key, uint64_t seed)
+uint64_t wave_seeded(const struct worker *w, uint64_t key)
 {
-	return seed ? rng_child(key, seed) : key;
+	return w->options->seed ? rng_child(key, w->options->seed) : key;
 }
 
 static bool root_ray(const struct worker *w, const struct wave_root *r, struct node *n)
@@ -54,7 +54,7 @@ static bool root_ray(const struct worker *w, const struct wave_root *r, struct n
 static void root_cone(const struct worker *w, const struct wave_root *r, struct node *n)
 {
 	const struct render_options *o = w->options;
-	double step = o->aa == RENDER_AA_GRID ? 1.0 / o->aa_n : 1;
+	double step = o->spp ? 1 / sqrt(o->spp) : o->aa == RENDER_AA_GRID ? 1.0 / o->aa_n : 1;
 	vec org, dir;
 
 	if (!camera_ray(&w->shader->scene->camera, r->x + step, r->y, o->width, o->height, &org, &dir))
@@ -83,7 +83,8 @@ static void put_root(struct worker *w, struct node *n, const struct wave_root *r
 	const struct shader *sh = w->shader;
 
 	*n = blank; /* copied, as clearing what is not named takes longer */
-	n->key = seeded(r->key, w->options->seed);
+	n->key = r->key;
+	n->path = r->path;
 	n->inside = w->inside;
 	n->pixel[0] = pixel_at(r->x, w->options->width);
 	n->pixel[1] = pixel_at(r->y, w->options->height);
@@ -319,7 +320,7 @@ bool wave_trace(struct worker *w, uint32_t first, uint32_t n)
 		return false;
 	for (uint32_t i = 0; i < n; i++) {
 		const struct sample *s = BUF_AT(&w->sample, struct sample, first + i);
-		struct wave_root root = { .x = s->x, .y = s->y, .key = wave_key(s) };
+		struct wave_root root = { .x = s->x, .y = s->y, .key = wave_seeded(w, wave_key(s)) };
 
 		put_root(w, BUF_AT(&t->node, struct node, i), &root);
 	}

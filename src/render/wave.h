@@ -27,6 +27,7 @@ struct worker {
 	struct buf sample; /* struct sample: those of the current tile */
 	struct buf map; /* for anti-aliasing, see aa.c */
 	struct buf lens; /* for focal blur, see lens.c */
+	struct buf run; /* struct path_run: samples being taken */
 	struct buf frame; /* what waits while rays are followed, see wave.c */
 	bool stopped;
 	struct render_counts counts;
@@ -38,7 +39,8 @@ bool wave_trace(struct worker *w, uint32_t first, uint32_t n);
 /* A camera ray: through a place in the picture, and a point of the lens if there is one. */
 struct wave_root {
 	double x, y, lens_x, lens_y;
-	uint64_t key; /* what its random numbers are made of */
+	uint64_t key; /* what its random numbers are made of, */
+	uint32_t path; /* and which of the rays that share it */
 };
 
 /* The same in steps, for lens.c: begin, push each ray, follow all; then the tree's nodes from 0 on have
@@ -47,5 +49,7 @@ bool wave_begin(struct worker *w);
 bool wave_push(struct worker *w, const struct wave_root *);
 bool wave_follow(struct worker *w, uint32_t roots);
 uint64_t wave_key(const struct sample *);
+/* The same for the seed that was asked for. */
+uint64_t wave_seeded(const struct worker *, uint64_t key);
 
 #endif

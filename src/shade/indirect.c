@@ -186,7 +186,7 @@ static void fill_rays(const struct shader *sh, struct tree *t, const struct met 
 
 		if (!parent.bounce)
 			key = rng_child(key, i / set);
-		child.path = parent.bounce ? parent.path : i % set;
+		child.path = parent.bounce ? parent.path : parent.path * set + i % set;
 		child.key = rng_child(key, 1);
 		child.dir = g->recorded ? stratum_direction(sh, g, i, key) :
 					  indirect_direction(g->normal, child.path, key);

@@ -42,6 +42,7 @@ struct shader {
 	struct indirect indirect; /* method is INDIRECT_OFF unless the scene asks for radiosity */
 	bool fog;
 	bool projected; /* some light is projected through something */
+	bool one_path; /* each camera ray is one sample of many, and repeats nothing: node.path tells which */
 	uint32_t soft_rounds; /* how often jittered lights are asked for, at most */
 	bool subsurface; /* light goes below some surfaces */
 	uint32_t subsurface_rays; /* from below a hit, to where light comes in */

@@ -14,6 +14,7 @@
 
 #include "accel/trace.h"
 #include "base/buf.h"
+#include "base/rng.h"
 #include "scene/scene.h"
 
 #define TREE_NONE UINT32_MAX
@@ -29,7 +30,7 @@ struct node {
 	double length; /* of its way to what it hit, or infinite; known once it is traced */
 	uint32_t level; /* mirrors and refractions before it */
 	uint32_t bounce; /* diffuse bounces before it: it brings indirect light if not 0 */
-	uint32_t path; /* then: which of the rays that were sent from the first of them */
+	uint32_t path; /* which of those that share its key: rays sent from one hit, or samples of a pixel */
 	uint32_t beneath; /* surfaces that it is below of: what they ask for is asked within what others asked */
 	uint32_t inside; /* what it is inside of, an index of tree.inside, or TREE_NONE */
 	uint32_t skip; /* the planar primitive it starts on */
@@ -48,6 +49,12 @@ struct node {
 	struct rgb variance; /* of the colour, as an estimate; 0 without replications */
 	double transmit; /* how much of the background is seen, for alpha */
 };
+
+/* For random numbers that have no sequence of their own: what shares a key has others. */
+static inline uint64_t node_key(const struct node *n)
+{
+	return n->path ? rng_child(n->key, n->path) : n->key;
+}
 
 /* Media and fog on the way: what comes from the ray's end is multiplied by clear, glow is added. */
 struct veil {
@@ -146,7 +153,8 @@ struct met {
 	uint32_t first_part, part_count;
 	uint32_t first_layer, layer_count; /* over all its parts */
 	uint32_t first_gather;
-	uint32_t round; /* which of the points of one node that lamps shine on: others see them jittered otherwise */
+	uint32_t round; /* which of the points that share random numbers and that lamps shine on: others see
+			 * them jittered otherwise */
 };
 
 /* A layer of a hit that light goes below. */

@@ -133,6 +133,7 @@ static void nothing_but_the_scene_decides(void **state)
 		{ .aa = RENDER_AA_GRID, .aa_n = 17 },
 		{ .aa = RENDER_AA_POV1, .aa_n = 3, .aa_threshold = 0.1 },
 		{ .aa = RENDER_AA_POV2, .aa_n = 3, .aa_threshold = 0.1 },
+		{ .spp = 21 },
 	};
 	struct stage *st = *state;
 

@@ -175,6 +175,29 @@ static void test_defaults(void **state)
 	settings_release(&f.s);
 }
 
+/* One number of samples; the .ini's anti-aliasing gives way to it, the command line's does not. */
+static void test_samples(void **state)
+{
+	static const char *const both[] = { "--aa 2", "--blur-samples 9", "--indirect-samples 9" };
+	const struct read_job job = { .set = READ_JOB_AA, .aa = true };
+	struct fixture f;
+	char text[128];
+
+	(void)state;
+	assert_int_equal(finish(&f, "--spp 64 a.ini", &job), STATUS_OK);
+	settings_describe(&f.s, text, sizeof(text));
+	assert_string_equal(text, "800x600 64 samples a pixel");
+	settings_release(&f.s);
+	for (size_t i = 0; i < 3; i++) {
+		snprintf(text, sizeof(text), "--spp 4 %s a.pov", both[i]);
+		assert_int_equal(finish(&f, text, &job), STATUS_USAGE);
+		assert_non_null(strstr(f.message, "--spp"));
+		settings_release(&f.s);
+	}
+	assert_int_equal(parse(&f, "--spp 0 a.pov"), STATUS_USAGE);
+	settings_release(&f.s);
+}
+
 /* The .ini's wishes, and the command line's, which win. Rows and columns as POV-Ray 3.7 was seen to take
  * them: 20x10 with +SC3 +EC5 +SR2 +ER3 gives columns 2..4 and rows 1..2, counted from 0; with +SC0.21
  * +EC0.49 +SR0.001 +ER0.999 columns 4..8 and rows 0..8. */
@@ -220,6 +243,7 @@ int main(void)
 		cmocka_unit_test(test_all_options), cmocka_unit_test(test_mistakes),
 		cmocka_unit_test(test_limits), cmocka_unit_test(test_page_states_the_limits),
 		cmocka_unit_test(test_defaults), cmocka_unit_test(test_job),
+		cmocka_unit_test(test_samples),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

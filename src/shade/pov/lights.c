@@ -395,7 +395,7 @@ static void fall(const struct shader *sh, struct tree *t, const struct met *m, c
 		if (!falls_on(layer, l, m, node_of(t, m), dir, &f.behind))
 			continue;
 		if (layer->finish->crand > 0)
-			f.noise = rng_unit(rng_child(rng_child(node_of(t, m)->key, 0x400000000u + i),
+			f.noise = rng_unit(rng_child(rng_child(node_key(node_of(t, m)), 0x400000000u + i),
 						     (uint64_t)(l - sh->scene->light)));
 		c = finish_shade(layer->finish, &f);
 		if (layer->finish->irid > 0)
@@ -415,7 +415,7 @@ static void fall_spread(const struct shader *sh, struct tree *t, const struct me
 	for (uint32_t v = 0; v < l->size2; v++) {
 		for (uint32_t u = 0; u < l->size1; u++) {
 			vec shift = light_grid_point(l, axis1, axis2, u, v,
-						     rng_child(key, u * l->size2 + v), 0);
+						     rng_child(key, u * l->size2 + v), m->round);
 			struct light_ray r = light_towards(l, m->p, shift);
 
 			fall(sh, t, m, l, r.dir, eye, rgb_scale(each, light_attenuation(l, m->p, &r)));

@@ -237,7 +237,9 @@ static void ask_sample(struct run *r, const struct segment *s, struct sample *sa
 								     .p = p,
 								     .skip = ALD_NONE,
 								     .object = SCENE_NONE,
-								     .interior = SCENE_NONE };
+								     .interior = SCENE_NONE,
+								     .round = BUF_AT(&r->t->node, struct node,
+										     s->node)->path };
 		sample->first_lit = r->t->lit.count;
 	}
 	if (lights_ask(r->sh, r->t, r->t->met.count - 1, light))
@@ -563,8 +565,7 @@ static bool begin_segment(const struct shader *sh, const struct tree *t, uint32_
 			       .org = n->org,
 			       .dir = n->dir,
 			       .length = n->length,
-			       .key = rng_child(n->bounce ? rng_child(n->key, n->path) : n->key,
-						0x300000000u + world) };
+			       .key = rng_child(node_key(n), 0x300000000u + world) };
 	if (!shade_sees_air(sh, n) || !inside_hollow(t, n->inside))
 		return false;
 	if (!isfinite(n->length)) {

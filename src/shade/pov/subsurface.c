@@ -59,14 +59,14 @@ static void count_rays(const struct below *b, const struct node *n, struct place
 
 	p->rays = FAINT_RAYS;
 	p->singles = p->least = p->most = 1;
-	p->first = n->bounce ? n->path : 0;
+	p->first = n->path;
 	if (!n->bounce) {
 		p->rays = b->sh->subsurface_rays;
 		if (wants_indirect(b, n) && b->sh->indirect.samples > p->rays)
 			p->rays = b->sh->indirect.samples;
 		p->rays = indirect_power(p->rays * fmin(1, n->weight));
 		p->singles = p->rays > SINGLE_SHARE ? p->rays / SINGLE_SHARE : 1;
-		if (p->rays >= ROUNDS_LEAST * ROUND_FEWEST && !wants_indirect(b, n)) {
+		if (p->rays >= ROUNDS_LEAST * ROUND_FEWEST && !wants_indirect(b, n) && !b->sh->one_path) {
 			p->rays /= ROUNDS_LEAST;
 			p->least = ROUNDS_LEAST;
 			p->most = ROUNDS_MOST;

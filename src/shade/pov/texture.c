@@ -280,7 +280,7 @@ void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald
 	m->interior = s.interior;
 	m->flags = s.flags;
 	m->light_set = s.light_set;
-	m->round = 0;
+	m->round = n->path;
 	m->first_part = t->part.count;
 	m->first_layer = t->layer.count;
 	m->first_gather = t->gather.count;

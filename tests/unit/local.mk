@@ -1,6 +1,9 @@
 
 if HAVE_CMOCKA
-check_PROGRAMS += tests/unit/test_json tests/unit/test_sobol tests/unit/test_dipole
+check_PROGRAMS += tests/unit/test_json tests/unit/test_json_read tests/unit/test_sobol tests/unit/test_dipole
+tests_unit_test_json_read_SOURCES = tests/unit/test_json_read.c
+tests_unit_test_json_read_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_json_read_LDADD = $(UNIT_LIBS)
 tests_unit_test_dipole_SOURCES = tests/unit/test_dipole.c
 tests_unit_test_dipole_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_dipole_LDADD = $(UNIT_LIBS)
@@ -10,7 +13,7 @@ tests_unit_test_sobol_LDADD = $(UNIT_LIBS)
 tests_unit_test_json_SOURCES = tests/unit/test_json.c
 tests_unit_test_json_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_json_LDADD = $(UNIT_LIBS)
-TESTS += tests/unit/test_json tests/unit/test_sobol tests/unit/test_dipole
+TESTS += tests/unit/test_json tests/unit/test_json_read tests/unit/test_sobol tests/unit/test_dipole
 endif
 
 if HAVE_CMOCKA

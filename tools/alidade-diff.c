@@ -137,24 +137,6 @@ static enum status wrong(struct diag *d, const struct option_spec *o, const char
 	return diag_fail(d, STATUS_USAGE, NULL, "--%s=%s: expected %s", o->name, value, want);
 }
 
-/* 0.004, 1/255 */
-static bool number(const char *text, double max, double *out)
-{
-	const char *slash = strchr(text, '/');
-	char left[32];
-	double below;
-
-	if (!slash)
-		return option_real(text, 0, max, out);
-	if ((size_t)(slash - text) >= sizeof(left))
-		return false;
-	snprintf(left, sizeof(left), "%.*s", (int)(slash - text), text);
-	if (!option_real(left, 0, max, out) || !option_real(slash + 1, 1e-300, max, &below))
-		return false;
-	*out /= below;
-	return isfinite(*out);
-}
-
 static bool set_crop(struct diff_options *d, const char *value)
 {
 	uint32_t *to[] = { &d->crop_x, &d->crop_y, &d->crop_width, &d->crop_height };
@@ -196,7 +178,7 @@ static enum status set_option(void *arg, const struct option_spec *o, const char
 	double *threshold = threshold_of(&s->diff, o->key);
 
 	if (threshold) {
-		if (!number(value,
+		if (!option_fraction(value,
 			    o->key == KEY_FAIL_PERCENT || o->key == KEY_WARN_PERCENT ? 100 : 1e300,
 			    threshold))
 			return wrong(d, o, value, "a number from 0 on, as in 0.004 or 1/255");

@@ -225,6 +225,23 @@ bool option_real(const char *text, double min, double max, double *out)
 	return true;
 }
 
+bool option_fraction(const char *text, double max, double *out)
+{
+	const char *slash = strchr(text, '/');
+	char left[32];
+	double below;
+
+	if (!slash)
+		return option_real(text, 0, max, out);
+	if ((size_t)(slash - text) >= sizeof(left))
+		return false;
+	snprintf(left, sizeof(left), "%.*s", (int)(slash - text), text);
+	if (!option_real(left, 0, max, out) || !option_real(slash + 1, 1e-300, max, &below))
+		return false;
+	*out /= below;
+	return isfinite(*out);
+}
+
 bool option_bytes(const char *text, uint64_t *out)
 {
 	static const char unit[] = "KMGT";

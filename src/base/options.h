@@ -53,6 +53,7 @@ bool options_completion(const struct option_program *, const char *shell, FILE *
 /* Values. All of them refuse empty text, trailing text, and what is out of range. */
 bool option_integer(const char *text, uint64_t min, uint64_t max, uint64_t *out);
 bool option_real(const char *text, double min, double max, double *out);
+bool option_fraction(const char *text, double max, double *out); /* from 0: 0.004, 1/255 */
 bool option_bytes(const char *text, uint64_t *out); /* 512, 512K, 2M, 3.5G, 1T; powers of 1024 */
 bool option_extent(const char *text, uint32_t max, uint32_t *width, uint32_t *height); /* 640x480 */
 

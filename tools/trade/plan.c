@@ -1,0 +1,429 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Which settings are measured. First each level alone, everything else as by default: that shows what each
+ * choice costs and gains. Then those levels together that were worth something alone; see combine.c.
+ */
+#include <config.h>
+
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+
+#include "accel/load.h"
+#include "accel/param.h"
+#include "settings.h"
+#include "trade.h"
+
+/* Options that this alidade does not have are left out; see trade_sweep_default(). */
+static const char *const default_sweep[] = {
+	"accel=all",
+	"precision=exact,fast",
+	"aa=none,2,3,4,pov1,pov2,pov2:threshold=0.1,spp=4,16,64,noise=0.02,0.005",
+};
+static const char indirect_sweep[] =
+	"indirect=off,exact+indirect-samples=32,exact+indirect-samples=128,exact+indirect-samples=2048,cache,"
+	"cache+indirect-error=0.5,cache+indirect-error=2,cache+indirect-error=4,"
+	"cache+indirect-error=4+indirect-samples=32";
+
+/* An option of alidade that takes a value. */
+static const struct option_spec *find_option(const char *name, size_t n)
+{
+	for (const struct option_spec *o = settings_program.option; o->name; o++) {
+		if (strlen(o->name) == n && !strncmp(o->name, name, n) && o->takes == OPTION_ARG)
+			return o;
+	}
+	return NULL;
+}
+
+/* The length of NAME in "NAME=...", 0: that is something else. */
+static size_t name_length(const char *s)
+{
+	size_t n = 0;
+
+	while (islower((unsigned char)s[n]) || isdigit((unsigned char)s[n]) || s[n] == '-')
+		n++;
+	return s[n] == '=' ? n : 0;
+}
+
+enum status trade_allowed(const struct trade *t, char *const *option, uint32_t options, struct diag *d)
+{
+	char *argv[256] = { (char *)(uintptr_t) "alidade" };
+	struct settings s;
+	struct mem_book book;
+	enum status st;
+	int argc = 1;
+
+	if (t->base_count + options > 250)
+		return diag_fail(d, STATUS_USAGE, NULL, "too many options");
+	/* getopt_long() moves the pointers about, not the text. */
+	for (uint32_t i = 0; i < t->base_count; i++)
+		argv[argc++] = (char *)(uintptr_t)t->base[i];
+	for (uint32_t i = 0; i < options; i++)
+		argv[argc++] = option[i];
+	argv[argc++] = (char *)(uintptr_t) "--";
+	argv[argc++] = (char *)(uintptr_t)t->scene;
+	mem_book_init(&book, 0);
+	settings_init(&s, &book);
+	st = settings_parse(&s, argc, argv, d);
+	settings_release(&s);
+	return st;
+}
+
+/* Where the option that begins at s ends: at a + after which another one follows. */
+static size_t option_length(const char *s)
+{
+	size_t n = 0;
+
+	while (s[n] && !(s[n] == '+' && find_option(s + n + 1, name_length(s + n + 1))))
+		n++;
+	return n;
+}
+
+enum status trade_level_parse(struct trade *t, const char *text, struct trade_level *l)
+{
+	memset(l, 0, sizeof(*l));
+	l->text = trade_text(t, "%s", text);
+	if (!l->text)
+		return STATUS_FAILED;
+	for (const char *s = text; *s;) {
+		size_t n = option_length(s), name = name_length(s);
+
+		if (!find_option(s, name))
+			return diag_fail(&t->diag, STATUS_USAGE, NULL,
+					 "\"%s\": alidade has no option --%.*s that takes a value", text,
+					 (int)strcspn(s, "=+"), s);
+		if (l->options == TRADE_LEVEL_OPTIONS)
+			return diag_fail(&t->diag, STATUS_USAGE, NULL, "\"%s\": more than %d options", text,
+					 TRADE_LEVEL_OPTIONS);
+		l->option[l->options] = trade_text(t, "--%.*s", (int)n, s);
+		if (!l->option[l->options])
+			return STATUS_FAILED;
+		if (name == 5 && !strncmp(s, "accel", 5))
+			l->accel = l->option[l->options] + strlen("--accel=");
+		l->options++;
+		s += n + (s[n] == '+');
+	}
+	return STATUS_OK;
+}
+
+static enum status add_level(struct trade *t, struct trade_factor *f, const char *text)
+{
+	struct trade_level l;
+	struct diag silent = { 0 };
+	enum status st = trade_level_parse(t, text, &l);
+	size_t name = strlen(f->name);
+
+	if (!st)
+		st = trade_allowed(t, l.option, l.options, f->by_default ? &silent : &t->diag);
+	if (st)
+		return f->by_default ? STATUS_OK : st;
+	if (!strncmp(l.text, f->name, name) && l.text[name] == '=')
+		l.text += name + 1;
+	for (uint32_t i = 0; i < f->levels; i++) {
+		if (!strcmp(f->level[i].text, l.text))
+			return STATUS_OK;
+	}
+	if (f->levels == TRADE_LEVELS)
+		return diag_fail(&t->diag, STATUS_USAGE, NULL, "--sweep=%s: more than %d levels", f->name,
+				 TRADE_LEVELS);
+	f->level[f->levels++] = l;
+	return STATUS_OK;
+}
+
+struct adding {
+	struct trade *t;
+	struct trade_factor *factor;
+	const char *only; /* a plugin's name, whose parameters are varied; NULL: all, as they are */
+	enum status status;
+};
+
+static void add_text(struct adding *a, const char *fmt, const char *name, const char *key, const char *value)
+{
+	const char *text = trade_text(a->t, fmt, name, key, value);
+
+	if (!a->status)
+		a->status = text ? add_level(a->t, a->factor, text) : STATUS_FAILED;
+}
+
+/* Numbers a fourth and four times of what they are by default; of choices every other. */
+static void add_parameter(struct adding *a, const char *plugin, const ald_param *p)
+{
+	double value[2] = { p->def / 4, p->def * 4 };
+	char text[64];
+	int from = 0, to = 1;
+
+	if (p->type == ALD_BOOL || p->type == ALD_CHOICE) {
+		from = (int)p->min;
+		to = (int)p->max;
+	} else if (p->def <= 0) {
+		value[0] = p->min;
+		value[1] = p->max;
+	}
+	for (int i = from; i <= to; i++) {
+		double x = p->type == ALD_BOOL || p->type == ALD_CHOICE ? i : value[i];
+
+		x = p->type == ALD_INT ? round(x) : x;
+		x = x < p->min ? p->min : x > p->max ? p->max : x;
+		param_value_text(p, x, text, sizeof(text));
+		if (x < p->def || x > p->def)
+			add_text(a, "accel=%s:%s=%s", plugin, p->name, text);
+	}
+}
+
+static void add_plugin(void *arg, const struct accel_choice *c)
+{
+	struct adding *a = arg;
+	const char *base = a->t->base_accel;
+
+	if (!a->only) {
+		if (strcmp(c->plugin->name, base) != 0)
+			add_text(a, "accel=%s", c->plugin->name, NULL, NULL);
+		return;
+	}
+	for (const ald_param *p = c->plugin->params; p && p->name && !strcmp(a->only, c->plugin->name); p++)
+		add_parameter(a, c->plugin->name, p);
+}
+
+static enum status add_plugins(struct trade *t, struct trade_factor *f, const char *only)
+{
+	struct adding a = { t, f, only, STATUS_OK };
+	struct diag silent = { 0 };
+	enum status st = accel_list(add_plugin, &a, &silent);
+
+	return st ? st : a.status;
+}
+
+/* "octree:leaf=1/2,depth=4/8" is four levels. */
+static enum status expand(struct trade *t, struct trade_factor *f, const char *text)
+{
+	const char *from = strchr(text, ':'), *cut = from ? strpbrk(from, "/|") : NULL, *value = cut;
+	size_t n, rest;
+	enum status st = STATUS_OK;
+
+	if (!strcmp(text, "accel=all"))
+		return add_plugins(t, f, NULL);
+	n = strlen(text);
+	if (n > 8 && !strncmp(text, "accel=", 6) && !strcmp(text + n - 2, ":*")) {
+		const char *plain = trade_text(t, "%.*s", (int)(n - 2), text);
+
+		st = plain ? add_level(t, f, plain) : STATUS_FAILED;
+		return st ? st : add_plugins(t, f, plain + 6);
+	}
+	if (!cut)
+		return add_level(t, f, text);
+	while (value > from && value[-1] != '=')
+		value--;
+	if (value == from)
+		return add_level(t, f, text);
+	rest = strcspn(cut, ",+");
+	for (const char *v = value; !st; v += n + 1) {
+		char *one;
+
+		n = strcspn(v, "/|,+");
+		one = trade_text(t, "%.*s%.*s%s", (int)(value - text), text, (int)n, v, cut + rest);
+		st = one ? expand(t, f, one) : STATUS_FAILED;
+		if (v[n] != '/' && v[n] != '|')
+			break;
+	}
+	return st;
+}
+
+/* What comes before the comma at which a new level begins: one is no more of the level before it if a name
+ * follows that is no option, as in octree:leaf=1,depth=4. */
+static size_t item_length(const char *s)
+{
+	size_t n = strcspn(s, ",");
+
+	while (s[n] == ',' && name_length(s + n + 1) && !find_option(s + n + 1, name_length(s + n + 1)))
+		n += 1 + strcspn(s + n + 1, ",");
+	return n;
+}
+
+static enum status sweep_items(struct trade *t, struct trade_factor *f, const char *text)
+{
+	const char *option = text;
+	size_t length = name_length(text), n;
+	enum status st = STATUS_OK;
+
+	for (const char *s = text; *s && !st; s += n + (s[n] == ',')) {
+		size_t name = name_length(s);
+		char *item;
+
+		n = item_length(s);
+		if (find_option(s, name)) {
+			option = s;
+			length = name;
+			item = trade_text(t, "%.*s", (int)n, s);
+		} else {
+			item = trade_text(t, "%.*s=%.*s", (int)length, option, (int)n, s);
+		}
+		st = item ? expand(t, f, item) : STATUS_FAILED;
+	}
+	return st;
+}
+
+static enum status sweep(struct trade *t, const char *text, bool by_default)
+{
+	size_t name = name_length(text);
+	struct trade_factor *f = t->factor;
+
+	if (!find_option(text, name))
+		return by_default ? STATUS_OK :
+				    diag_fail(&t->diag, STATUS_USAGE, NULL,
+					      "--sweep=%s: alidade has no option --%.*s that takes a value", text,
+					      (int)strcspn(text, "=,"), text);
+	while (f < t->factor + t->factors && (strlen(f->name) != name || strncmp(f->name, text, name) != 0))
+		f++;
+	if (f == t->factor + TRADE_FACTORS)
+		return diag_fail(&t->diag, STATUS_USAGE, NULL, "--sweep: more than %d kinds", TRADE_FACTORS);
+	if (f == t->factor + t->factors) {
+		snprintf(f->name, sizeof(f->name), "%.*s", (int)name, text);
+		f->level = arena_zalloc(&t->arena, TRADE_LEVELS * sizeof(*f->level));
+		if (!f->level)
+			return diag_no_memory(&t->diag, "a sweep", TRADE_LEVELS * sizeof(*f->level));
+		f->by_default = by_default;
+		t->factors++;
+	}
+	return sweep_items(t, f, text);
+}
+
+/* NAME=LEVELS, or NAME alone for the levels that it has by default. */
+enum status trade_sweep(struct trade *t, const char *text)
+{
+	size_t name = strcspn(text, "=");
+
+	if (text[name])
+		return sweep(t, text, false);
+	for (size_t i = 0; i < sizeof(default_sweep) / sizeof(*default_sweep); i++) {
+		if (!strncmp(default_sweep[i], text, name) && default_sweep[i][name] == '=')
+			return sweep(t, default_sweep[i], true);
+	}
+	if (!strcmp(text, "indirect"))
+		return sweep(t, indirect_sweep, true);
+	return diag_fail(&t->diag, STATUS_USAGE, NULL,
+			 "--sweep=%s: expected NAME=LEVEL,.. or one of accel, precision, aa, indirect", text);
+}
+
+enum status trade_sweep_default(struct trade *t)
+{
+	enum status st = STATUS_OK;
+
+	for (size_t i = 0; i < sizeof(default_sweep) / sizeof(*default_sweep) && !st; i++)
+		st = sweep(t, default_sweep[i], true);
+	if (!st && t->about.radiosity)
+		st = sweep(t, indirect_sweep, true);
+	return st;
+}
+
+bool trade_sweeps(const struct trade *t, const char *option)
+{
+	size_t n = strlen(option);
+
+	for (uint32_t f = 0; f < t->factors; f++) {
+		for (uint32_t l = 0; l < t->factor[f].levels; l++) {
+			const struct trade_level *level = &t->factor[f].level[l];
+
+			for (uint32_t i = 0; i < level->options; i++) {
+				if (!strncmp(level->option[i] + 2, option, n) && level->option[i][n + 2] == '=')
+					return true;
+			}
+		}
+	}
+	return false;
+}
+
+uint32_t trade_options(const struct trade *t, const struct trade_setting *s, const char **out)
+{
+	uint32_t n = 0;
+
+	for (uint32_t f = 0; f < t->factors; f++) {
+		const struct trade_level *l = s->level[f] ? &t->factor[f].level[s->level[f] - 1] : NULL;
+
+		for (uint32_t i = 0; l && i < l->options; i++)
+			out[n++] = l->option[i];
+	}
+	out[n] = NULL;
+	return n;
+}
+
+static void make_label(const struct trade *t, struct trade_setting *s)
+{
+	size_t n = 0;
+
+	snprintf(s->label, sizeof(s->label), "default");
+	for (uint32_t f = 0; f < t->factors; f++) {
+		const struct trade_factor *of = &t->factor[f];
+		const struct trade_level *l = s->level[f] ? &of->level[s->level[f] - 1] : NULL;
+		bool bare = l && (!strcmp(of->name, "accel") || !strcmp(l->text, l->option[0] + 2));
+
+		if (l && n < sizeof(s->label))
+			n += (size_t)snprintf(s->label + n, sizeof(s->label) - n, "%s%s%s%s", n ? " " : "",
+					      bare ? "" : of->name, bare ? "" : "=", l->text);
+	}
+}
+
+/* What is there already is not added again. */
+enum status trade_setting_add(struct trade *t, const uint16_t *level, enum trade_stage stage)
+{
+	struct trade_setting *s = &t->setting[t->settings];
+
+	for (uint32_t i = 0; i < t->settings; i++) {
+		if (!memcmp(t->setting[i].level, level, sizeof(s->level)))
+			return STATUS_OK;
+	}
+	if (t->settings == TRADE_SETTINGS)
+		return diag_fail(&t->diag, STATUS_USAGE, NULL, "more than %d settings", TRADE_SETTINGS);
+	memset(s, 0, sizeof(*s));
+	s->run = arena_alloc(&t->arena, TRADE_RUNS * sizeof(*s->run));
+	if (!s->run)
+		return diag_no_memory(&t->diag, "a setting", TRADE_RUNS * sizeof(*s->run));
+	memcpy(s->level, level, sizeof(s->level));
+	s->stage = stage;
+	s->target = t->repeat;
+	s->key = trade_setting_key(t, s);
+	make_label(t, s);
+	t->settings++;
+	return STATUS_OK;
+}
+
+enum status trade_plan(struct trade *t)
+{
+	uint16_t level[TRADE_FACTORS] = { 0 };
+	enum status st = trade_setting_add(t, level, TRADE_BASE);
+
+	for (uint32_t f = 0; f < t->factors && !st; f++) {
+		for (uint32_t l = 1; l <= t->factor[f].levels && !st; l++) {
+			level[f] = (uint16_t)l;
+			st = trade_setting_add(t, level, TRADE_ALONE);
+		}
+		level[f] = 0;
+	}
+	return st;
+}
+
+/* Of the accelerator that was fastest as it is. */
+enum status trade_plan_parameters(struct trade *t, const struct trade_setting *fastest)
+{
+	uint16_t level[TRADE_FACTORS] = { 0 };
+	const char *spec = t->base_accel;
+	struct trade_factor *f = t->factor;
+	uint32_t from;
+	char name[128];
+	enum status st;
+
+	while (f < t->factor + t->factors && strcmp(f->name, "accel") != 0)
+		f++;
+	if (f == t->factor + t->factors || !f->by_default)
+		return STATUS_OK;
+	if (fastest->level[f - t->factor])
+		spec = f->level[fastest->level[f - t->factor] - 1].accel;
+	snprintf(name, sizeof(name), "%.*s", (int)strcspn(spec, ":"), spec);
+	from = f->levels;
+	st = add_plugins(t, f, name);
+	for (uint32_t l = from + 1; l <= f->levels && !st; l++) {
+		level[f - t->factor] = (uint16_t)l;
+		st = trade_setting_add(t, level, TRADE_PARAMETER);
+	}
+	return st;
+}

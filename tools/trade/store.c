@@ -1,0 +1,333 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Results, one JSON object a line: each run is written as soon as it is measured, so that nothing but the
+ * run at hand is lost, whatever ends the program. A line counts for whoever has its key.
+ */
+#include <config.h>
+
+#include <errno.h>
+#include <fcntl.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/utsname.h>
+#include <unistd.h>
+
+#include "accel/load.h"
+#include "base/json.h"
+#include "base/json_read.h"
+#include "base/pool.h"
+#include "scene/hash.h"
+#include "trade.h"
+
+#define FORMAT 1 /* of lines; a part of the key */
+
+uint64_t trade_hash_text(uint64_t h, const char *text)
+{
+	return hash_bytes(h, text, strlen(text) + 1);
+}
+
+uint64_t trade_hash_file(uint64_t h, const char *path)
+{
+	FILE *in = fopen(path, "rb");
+	char piece[16384];
+	size_t n;
+
+	if (!in)
+		return 0;
+	while ((n = fread(piece, 1, sizeof(piece), in)) > 0)
+		h = hash_words(h, piece, n);
+	if (ferror(in))
+		h = 0;
+	fclose(in);
+	return h;
+}
+
+/* Times of another machine, or of another number of threads, are other times. */
+static uint64_t hash_machine(void)
+{
+	uint64_t h = HASH_START;
+	uint32_t cores = pool_cores();
+	struct utsname u;
+
+	if (!uname(&u)) {
+		h = trade_hash_text(h, u.nodename);
+		h = trade_hash_text(h, u.machine);
+	}
+	return HASH(h, cores);
+}
+
+/* The plugin's file: who writes one measures it again after each change. */
+static uint64_t hash_accel(uint64_t h, const char *spec)
+{
+	struct accel_choice c = { 0 };
+	struct diag silent = { 0 };
+
+	h = trade_hash_text(h, spec);
+	if (!accel_load(&c, spec, &silent)) {
+		if (c.handle)
+			h = trade_hash_file(h, c.path);
+		accel_unload(&c);
+	}
+	return h;
+}
+
+uint64_t trade_options_key(const struct trade *t, const char *const *option, const char *accel)
+{
+	uint64_t h = HASH_START;
+	uint32_t format = FORMAT;
+
+	h = HASH(h, format);
+	h = trade_hash_text(h, PACKAGE_VERSION);
+	h = HASH(h, t->about.hash);
+	h = HASH(h, t->about.width);
+	h = HASH(h, t->about.height);
+	h = HASH(h, t->program_hash);
+	h = HASH(h, t->machine_hash);
+	for (uint32_t i = 0; i < t->base_count; i++)
+		h = trade_hash_text(h, t->base[i]);
+	h = trade_hash_text(h, "");
+	for (; *option; option++)
+		h = trade_hash_text(h, *option);
+	return hash_accel(h, accel);
+}
+
+uint64_t trade_setting_key(const struct trade *t, const struct trade_setting *s)
+{
+	const char *option[TRADE_FACTORS * TRADE_LEVEL_OPTIONS + 1], *accel = t->base_accel;
+	uint64_t h;
+
+	trade_options(t, s, option);
+	for (uint32_t f = 0; f < t->factors; f++) {
+		if (s->level[f] && t->factor[f].level[s->level[f] - 1].accel)
+			accel = t->factor[f].level[s->level[f] - 1].accel;
+	}
+	h = trade_options_key(t, option, accel);
+	h = HASH(h, t->reference.hash);
+	h = HASH(h, t->space);
+	return HASH(h, t->changed);
+}
+
+static enum status store_failed(struct trade *t)
+{
+	return diag_fail(&t->diag, STATUS_FAILED, NULL,
+			 "%s: %s; what was measured before is in it, and is taken up the next time",
+			 t->results_name, strerror(errno));
+}
+
+/* A line that was cut off by a crash must not swallow the next one. */
+static bool end_last_line(FILE *f)
+{
+	if (fseek(f, 0, SEEK_END) || !ftell(f))
+		return true;
+	if (fseek(f, -1, SEEK_END))
+		return false;
+	if (getc(f) == '\n')
+		return !fseek(f, 0, SEEK_END);
+	return !fseek(f, 0, SEEK_END) && putc('\n', f) != EOF && !fflush(f);
+}
+
+enum status trade_store_open(struct trade *t)
+{
+	struct flock lock = { .l_type = F_WRLCK, .l_whence = SEEK_SET };
+	int n = snprintf(t->results_name, sizeof(t->results_name), "%s/results.jsonl", t->folder);
+	int m = snprintf(t->work, sizeof(t->work), "%s/work.XXXXXX", t->folder);
+
+	if (n < 0 || (size_t)n >= sizeof(t->results_name) || (size_t)m >= sizeof(t->work))
+		return diag_fail(&t->diag, STATUS_USAGE, NULL, "the folder's name is too long: %s", t->folder);
+	if (mkdir(t->folder, 0777) && errno != EEXIST)
+		return diag_fail(&t->diag, STATUS_FAILED, NULL, "%s: %s", t->folder, strerror(errno));
+	t->results = fopen(t->results_name, "a+");
+	if (!t->results)
+		return diag_fail(&t->diag, STATUS_FAILED, NULL, "%s: %s", t->results_name, strerror(errno));
+	if (fcntl(fileno(t->results), F_SETLK, &lock) && (errno == EACCES || errno == EAGAIN))
+		return diag_fail(&t->diag, STATUS_FAILED, NULL,
+				 "%s is in use by another alidade-trade; two at a time would disturb each "
+				 "other's times", t->results_name);
+	if (t->fresh && ftruncate(fileno(t->results), 0))
+		return store_failed(t);
+	if (!end_last_line(t->results))
+		return store_failed(t);
+	if (!mkdtemp(t->work)) {
+		t->work[0] = 0;
+		return diag_fail(&t->diag, STATUS_FAILED, NULL, "%s: no folder can be made in it: %s", t->folder,
+				 strerror(errno));
+	}
+	t->machine_hash = hash_machine();
+	t->program_hash = trade_hash_file(HASH_START, t->program);
+	return STATUS_OK;
+}
+
+static void begin_line(struct trade *t, struct json *j, const char *kind, uint64_t key)
+{
+	char text[24];
+
+	json_init(j, t->results, JSON_LINE);
+	json_object(j, NULL);
+	json_string(j, "kind", kind);
+	snprintf(text, sizeof(text), "%016" PRIx64, key);
+	json_string(j, "key", text);
+}
+
+static enum status end_line(struct trade *t, struct json *j)
+{
+	json_end(j);
+	return json_finish(j) ? STATUS_OK : store_failed(t);
+}
+
+enum status trade_store_run(struct trade *t, const struct trade_setting *s, const struct trade_run *r)
+{
+	char picture[24];
+	struct json j;
+
+	begin_line(t, &j, "run", s->key);
+	json_string(&j, "setting", s->label);
+	json_uint(&j, "seed", r->seed);
+	snprintf(picture, sizeof(picture), "%016" PRIx64, r->picture);
+	json_string(&j, "picture", picture);
+	for (int v = 0; v < TRADE_VALUES; v++) {
+		if (!isnan(r->value[v]))
+			json_double(&j, trade_column[v].key, r->value[v]);
+	}
+	return end_line(t, &j);
+}
+
+enum status trade_store_failure(struct trade *t, const struct trade_setting *s, double limit)
+{
+	struct json j;
+
+	begin_line(t, &j, "failure", s->key);
+	json_string(&j, "setting", s->label);
+	if (limit > 0)
+		json_double(&j, "limit", limit);
+	json_string(&j, "message", s->failure);
+	return end_line(t, &j);
+}
+
+enum status trade_store_verify(struct trade *t, const struct trade_setting *s)
+{
+	struct json j;
+
+	begin_line(t, &j, "verify", s->key);
+	json_string(&j, "setting", s->label);
+	json_double(&j, "checked", s->checked);
+	json_double(&j, "different", s->different);
+	return end_line(t, &j);
+}
+
+enum status trade_store_reference(struct trade *t)
+{
+	char hash[24];
+	struct json j;
+
+	begin_line(t, &j, "reference", t->reference.key);
+	json_string(&j, "options", t->reference.options);
+	snprintf(hash, sizeof(hash), "%016" PRIx64, t->reference.hash);
+	json_string(&j, "picture", hash);
+	json_double(&j, "noise", t->reference.noise);
+	json_uint(&j, "pictures", t->reference.pictures);
+	return end_line(t, &j);
+}
+
+static uint64_t hex_at(const struct json_value *v, const char *key)
+{
+	return strtoull(json_text_at(v, key, "0"), NULL, 16);
+}
+
+static void take_run(struct trade *t, struct trade_setting *s, const struct json_value *v)
+{
+	struct trade_run *r = &s->run[s->runs];
+
+	if (s->runs == TRADE_RUNS)
+		return;
+	for (int i = 0; i < TRADE_VALUES; i++)
+		r->value[i] = json_number_at(v, trade_column[i].key, NAN);
+	r->seed = (uint64_t)json_number_at(v, "seed", 0);
+	r->picture = hex_at(v, "picture");
+	if (isnan(r->value[TRADE_PROCESS]) || isnan(r->value[TRADE_RMSE]))
+		return;
+	s->runs++;
+	t->kept++;
+}
+
+static void take_line(struct trade *t, const struct json_value *v, uint32_t first)
+{
+	const char *kind = json_text_at(v, "kind", "");
+	uint64_t key = hex_at(v, "key");
+
+	for (uint32_t i = first; i < t->settings; i++) {
+		struct trade_setting *s = &t->setting[i];
+
+		if (s->key != key)
+			continue;
+		if (!strcmp(kind, "run")) {
+			take_run(t, s, v);
+		} else if (!strcmp(kind, "verify")) {
+			s->checked = json_number_at(v, "checked", 0);
+			s->different = json_number_at(v, "different", 0);
+		} else if (!strcmp(kind, "failure") && json_number_at(v, "limit", 0) > 0 &&
+			   !(t->limit > json_number_at(v, "limit", 0))) {
+			/* Too slow then is too slow now; what failed otherwise may have been mended. */
+			s->failure = trade_text(t, "%s", json_text_at(v, "message", ""));
+		}
+		return;
+	}
+}
+
+/* Calls take for each line that is JSON; others are what a crash left. */
+static enum status each_line(struct trade *t, void (*take)(struct trade *, const struct json_value *, uint32_t),
+			     uint32_t arg)
+{
+	char *line = NULL;
+	size_t room = 0;
+	ssize_t n;
+	enum status st = STATUS_OK;
+	struct arena arena;
+
+	if (fflush(t->results) || fseek(t->results, 0, SEEK_SET))
+		return store_failed(t);
+	arena_init(&arena, &t->book, "results");
+	while ((n = getline(&line, &room, t->results)) > 0) {
+		const char *fault;
+		const struct json_value *v = json_read(line, (size_t)n, &arena, &fault);
+
+		if (v)
+			take(t, v, arg);
+		arena_reset(&arena);
+	}
+	if (ferror(t->results))
+		st = store_failed(t);
+	clearerr(t->results);
+	arena_release(&arena);
+	free(line);
+	return st;
+}
+
+enum status trade_store_load(struct trade *t, uint32_t first)
+{
+	return each_line(t, take_line, first);
+}
+
+static void take_reference(struct trade *t, const struct json_value *v, uint32_t arg)
+{
+	struct trade_reference *r = &t->reference;
+
+	(void)arg;
+	if (strcmp(json_text_at(v, "kind", ""), "reference") != 0 || hex_at(v, "key") != r->key ||
+	    hex_at(v, "picture") != r->hash)
+		return;
+	r->noise = json_number_at(v, "noise", NAN);
+	r->pictures = (uint32_t)json_number_at(v, "pictures", 1);
+	t->reference.options = trade_text(t, "%s", json_text_at(v, "options", ""));
+}
+
+/* Its picture has to be there as well, and as it was. */
+bool trade_store_find_reference(struct trade *t)
+{
+	t->reference.pictures = 0;
+	t->reference.hash = trade_hash_file(HASH_START, t->reference.file);
+	return t->reference.hash && !each_line(t, take_reference, 0) && t->reference.pictures;
+}

@@ -104,7 +104,7 @@ if command -v bash >/dev/null; then
 else
 	skip "bash offers options and words" "bash is not installed"
 fi
-if [ -x "$ALIDADE_BUILD/tools/alidade-diff" ] && [ -f "$ALIDADE_SRC/man/alidade-diff.1" ]; then
-	check "$ALIDADE_BUILD/tools/alidade-diff" "$ALIDADE_SRC/man/alidade-diff.1"
-fi
+for tool in alidade-diff alidade-trade; do
+	check "$ALIDADE_BUILD/tools/$tool" "$ALIDADE_SRC/man/$tool.1"
+done
 tap_done

@@ -100,7 +100,8 @@ static void put_ticks(const struct chart *c, const struct axis *a, bool upright)
 				fprintf(c->out, "<path class=\"%s\" d=\"M%.1f %.1fV%.1f\"/>", named ? "grid" : "fine",
 					at, from, HEIGHT - BOTTOM);
 			if (named && upright)
-				fprintf(c->out, "<text class=\"tick\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">%g</text>\n",
+				fprintf(c->out, "<text class=\"tick\" x=\"%.1f\" y=\"%.1f\" "
+						"text-anchor=\"end\">%g</text>\n",
 					LEFT - 8, at + 4, value);
 			else if (named)
 				fprintf(c->out, "<text class=\"tick\" x=\"%.1f\" y=\"%.1f\" "
@@ -250,8 +251,8 @@ static void put_legend(const struct chart *c, const struct trade_setting **s, ui
 
 		if (!used[k])
 			continue;
-		fprintf(c->out, "<g class=\"k%d on\"><circle cx=\"%.1f\" cy=\"14\" r=\"5\"/></g><text x=\"%.1f\" y=\"18\">",
-			k, x + 6, x + 16);
+		fprintf(c->out, "<g class=\"k%d on\"><circle cx=\"%.1f\" cy=\"14\" r=\"5\"/></g>"
+				"<text x=\"%.1f\" y=\"18\">", k, x + 6, x + 16);
 		trade_escape(c->out, name);
 		fputs("</text>\n", c->out);
 		x += 34 + LETTER * 1.15 * (double)strlen(name);

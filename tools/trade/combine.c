@@ -37,13 +37,15 @@ static double error_of(const struct trade *t, const struct trade_setting *s)
 	return fabs(s->range[t->error].median);
 }
 
+/* Alone it gained something, by more than times vary, and no other level of its factor gained as much. */
 static bool worth(const struct trade *t, const struct trade_setting *s, uint32_t f)
 {
 	const struct trade_setting *base = &t->setting[0];
+	double fast = fmin(WORTH * time_of(t, base), base->range[t->clock].low);
 
 	if (s->stage == TRADE_COMBINED || !s->level[f] || !trade_measured(t, s))
 		return false;
-	if (!(time_of(t, s) < WORTH * time_of(t, base)) && !(error_of(t, s) < WORTH * error_of(t, base)))
+	if (!(time_of(t, s) < fast) && !(error_of(t, s) < WORTH * error_of(t, base)))
 		return false;
 	for (uint32_t i = 0; i < t->settings; i++) {
 		const struct trade_setting *o = &t->setting[i];
@@ -121,47 +123,65 @@ static void find_front(const struct trade *t, struct guess *g, uint32_t n)
 	}
 }
 
-/* Up to room of the front, evenly over it. */
-static enum status take_front(struct trade *t, struct guess *g, uint32_t n, uint32_t *room)
+/* As many of the front as there is room for, evenly over it. */
+static void take_front(struct guess *g, uint32_t n, struct trade_planned *p)
 {
-	uint32_t found = 0, seen = 0, want = *room;
-	enum status st = STATUS_OK;
+	uint32_t found = 0, seen = 0, want = p->room - p->count;
 
 	for (uint32_t i = 0; i < n; i++)
 		found += !g[i].beaten;
-	for (uint32_t i = 0; i < n && !st; i++) {
+	for (uint32_t i = 0; i < n; i++) {
 		if (g[i].beaten)
 			continue;
 		seen++;
 		if (found > want && seen * want / found == (seen - 1) * want / found)
 			continue;
 		g[i].taken = true;
-		st = trade_setting_add(t, g[i].level, TRADE_COMBINED);
-		*room -= 1;
+		memcpy(p->level[p->count++], g[i].level, sizeof(*p->level));
 	}
+}
+
+static enum status guess_plan(struct trade *t, struct trade_planned *p)
+{
+	size_t bytes = GUESSES * sizeof(struct guess), effects = sizeof(struct effect[TRADE_FACTORS][TRADE_LEVELS + 1]);
+	uint32_t n[TRADE_FACTORS], count;
+	struct effect (*effect)[TRADE_LEVELS + 1] = mem_alloc(&t->book, "plan", effects);
+	struct guess *guess = mem_alloc(&t->book, "plan", bytes);
+	enum status st = STATUS_OK;
+
+	if (guess && effect) {
+		for (uint32_t f = 0; f < t->factors; f++)
+			n[f] = find_effects(t, f, effect[f]);
+		count = make_guesses(t, effect, n, guess);
+		for (int layer = 0; layer < 2 && p->count < p->room; layer++) {
+			find_front(t, guess, count);
+			take_front(guess, count, p);
+		}
+		st = t->complete ? trade_store_plan(t, p) : STATUS_OK;
+	} else {
+		st = diag_no_memory(&t->diag, "combinations", bytes + effects);
+	}
+	mem_free(guess);
+	mem_free(effect);
 	return st;
 }
 
 enum status trade_plan_combinations(struct trade *t)
 {
-	size_t bytes = GUESSES * sizeof(struct guess), effects = sizeof(struct effect[TRADE_FACTORS][TRADE_LEVELS + 1]);
-	uint32_t n[TRADE_FACTORS], count, room = t->combinations;
-	struct effect (*effect)[TRADE_LEVELS + 1] = mem_alloc(&t->book, "plan", effects);
-	struct guess *guess = mem_alloc(&t->book, "plan", bytes);
+	struct trade_planned p = { .room = t->combinations };
+	size_t bytes = (p.room + 1) * sizeof(*p.level);
 	enum status st = STATUS_OK;
 
-	if (!guess || !effect) {
-		st = diag_no_memory(&t->diag, "combinations", bytes + effects);
-	} else if (trade_measured(t, &t->setting[0]) && room) {
-		for (uint32_t f = 0; f < t->factors; f++)
-			n[f] = find_effects(t, f, effect[f]);
-		count = make_guesses(t, effect, n, guess);
-		for (int layer = 0; layer < 2 && room && !st; layer++) {
-			find_front(t, guess, count);
-			st = take_front(t, guess, count, &room);
-		}
-	}
-	mem_free(guess);
-	mem_free(effect);
+	if (!trade_measured(t, &t->setting[0]) || !p.room)
+		return STATUS_OK;
+	p.level = arena_alloc(&t->arena, bytes);
+	if (!p.level)
+		return diag_no_memory(&t->diag, "combinations", bytes);
+	p.key = trade_plan_key(t, "combined");
+	trade_store_find_plan(t, &p);
+	if (!p.found)
+		st = guess_plan(t, &p);
+	for (uint32_t i = 0; i < p.count && !st; i++)
+		st = trade_setting_add(t, p.level[i], TRADE_COMBINED);
 	return st;
 }

@@ -34,7 +34,8 @@ static const char no_option[] = "";
 
 static bool picture_there(const struct trade_child *c)
 {
-	return c->status == STATUS_OK || c->status == STATUS_BUDGET || c->status == STATUS_NONFINITE;
+	return c->status == STATUS_OK || c->status == STATUS_BUDGET || c->status == STATUS_NONFINITE ||
+	       c->status == STATUS_VERIFY;
 }
 
 static void name_in(char *out, size_t size, const char *folder, const char *name)
@@ -264,23 +265,6 @@ static enum status passes(struct trade *t, const char *phase, double share)
 	return st;
 }
 
-static const struct trade_setting *fastest_alone(const struct trade *t)
-{
-	const struct trade_setting *best = NULL;
-
-	for (uint32_t i = 0; i < t->settings; i++) {
-		const struct trade_setting *s = &t->setting[i];
-		bool accel = true;
-
-		for (uint32_t f = 0; f < t->factors; f++)
-			accel = accel && (!s->level[f] || !strcmp(t->factor[f].name, "accel"));
-		if (accel && trade_measured(t, s) &&
-		    (!best || s->range[t->clock].median < best->range[t->clock].median))
-			best = s;
-	}
-	return best;
-}
-
 static enum status stage_alone(struct trade *t)
 {
 	enum status st = trade_plan(t);
@@ -306,9 +290,8 @@ static enum status stage_alone(struct trade *t)
 
 static enum status stage_parameters(struct trade *t)
 {
-	const struct trade_setting *fastest = fastest_alone(t);
 	uint32_t first = t->settings;
-	enum status st = fastest ? trade_plan_parameters(t, fastest) : STATUS_OK;
+	enum status st = trade_plan_parameters(t);
 
 	if (!st && t->settings > first)
 		st = trade_store_load(t, first);

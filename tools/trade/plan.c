@@ -15,16 +15,22 @@
 #include "settings.h"
 #include "trade.h"
 
-/* Options that this alidade does not have are left out; see trade_sweep_default(). */
-static const char *const default_sweep[] = {
-	"accel=all",
-	"precision=exact,fast",
-	"aa=none,2,3,4,pov1,pov2,pov2:threshold=0.1,spp=4,16,64,noise=0.02,0.005",
+/* A factor and levels of it, of one option; what this alidade does not have is left out. */
+static const struct {
+	const char *factor, *levels;
+	bool radiosity; /* only where the scene has it */
+} default_sweep[] = {
+	{ "accel", "accel=all", false },
+	{ "precision", "precision=exact,fast", false },
+	{ "aa", "aa=none,2,3,4,pov1,pov2,pov2:threshold=0.1", false },
+	{ "aa", "spp=4,16,64", false },
+	{ "aa", "noise=0.02,0.005", false },
+	{ "indirect", "indirect=off,exact+indirect-samples=32,exact+indirect-samples=128,"
+		      "exact+indirect-samples=2048", true },
+	{ "indirect", "indirect=cache,cache+indirect-error=0.5,cache+indirect-error=2,cache+indirect-error=4,"
+		      "cache+indirect-error=4+indirect-samples=32", true },
 };
-static const char indirect_sweep[] =
-	"indirect=off,exact+indirect-samples=32,exact+indirect-samples=128,exact+indirect-samples=2048,cache,"
-	"cache+indirect-error=0.5,cache+indirect-error=2,cache+indirect-error=4,"
-	"cache+indirect-error=4+indirect-samples=32";
+#define DEFAULT_SWEEPS (sizeof(default_sweep) / sizeof(*default_sweep))
 
 /* An option of alidade that takes a value. */
 static const struct option_spec *find_option(const char *name, size_t n)
@@ -44,30 +50,6 @@ static size_t name_length(const char *s)
 	while (islower((unsigned char)s[n]) || isdigit((unsigned char)s[n]) || s[n] == '-')
 		n++;
 	return s[n] == '=' ? n : 0;
-}
-
-enum status trade_allowed(const struct trade *t, char *const *option, uint32_t options, struct diag *d)
-{
-	char *argv[256] = { (char *)(uintptr_t) "alidade" };
-	struct settings s;
-	struct mem_book book;
-	enum status st;
-	int argc = 1;
-
-	if (t->base_count + options > 250)
-		return diag_fail(d, STATUS_USAGE, NULL, "too many options");
-	/* getopt_long() moves the pointers about, not the text. */
-	for (uint32_t i = 0; i < t->base_count; i++)
-		argv[argc++] = (char *)(uintptr_t)t->base[i];
-	for (uint32_t i = 0; i < options; i++)
-		argv[argc++] = option[i];
-	argv[argc++] = (char *)(uintptr_t) "--";
-	argv[argc++] = (char *)(uintptr_t)t->scene;
-	mem_book_init(&book, 0);
-	settings_init(&s, &book);
-	st = settings_parse(&s, argc, argv, d);
-	settings_release(&s);
-	return st;
 }
 
 /* Where the option that begins at s ends: at a + after which another one follows. */
@@ -118,6 +100,8 @@ static enum status add_level(struct trade *t, struct trade_factor *f, const char
 		st = trade_allowed(t, l.option, l.options, f->by_default ? &silent : &t->diag);
 	if (st)
 		return f->by_default ? STATUS_OK : st;
+	if (f->by_default && trade_changes_nothing(t, &l))
+		return STATUS_OK;
 	if (!strncmp(l.text, f->name, name) && l.text[name] == '=')
 		l.text += name + 1;
 	for (uint32_t i = 0; i < f->levels; i++) {
@@ -263,56 +247,77 @@ static enum status sweep_items(struct trade *t, struct trade_factor *f, const ch
 	return st;
 }
 
-static enum status sweep(struct trade *t, const char *text, bool by_default)
+/* The factor of that name, made if it is new; NULL after an error. */
+static struct trade_factor *factor_named(struct trade *t, const char *name, size_t length, bool by_default)
 {
-	size_t name = name_length(text);
 	struct trade_factor *f = t->factor;
 
-	if (!find_option(text, name))
-		return by_default ? STATUS_OK :
-				    diag_fail(&t->diag, STATUS_USAGE, NULL,
-					      "--sweep=%s: alidade has no option --%.*s that takes a value", text,
-					      (int)strcspn(text, "=,"), text);
-	while (f < t->factor + t->factors && (strlen(f->name) != name || strncmp(f->name, text, name) != 0))
+	while (f < t->factor + t->factors && (strlen(f->name) != length || strncmp(f->name, name, length) != 0))
 		f++;
-	if (f == t->factor + TRADE_FACTORS)
-		return diag_fail(&t->diag, STATUS_USAGE, NULL, "--sweep: more than %d kinds", TRADE_FACTORS);
-	if (f == t->factor + t->factors) {
-		snprintf(f->name, sizeof(f->name), "%.*s", (int)name, text);
-		f->level = arena_zalloc(&t->arena, TRADE_LEVELS * sizeof(*f->level));
-		if (!f->level)
-			return diag_no_memory(&t->diag, "a sweep", TRADE_LEVELS * sizeof(*f->level));
-		f->by_default = by_default;
-		t->factors++;
+	if (f < t->factor + t->factors)
+		return f;
+	if (t->factors == TRADE_FACTORS || length >= sizeof(f->name)) {
+		diag_report(&t->diag, DIAG_ERROR, NULL, "--sweep: more than %d options", TRADE_FACTORS);
+		return NULL;
 	}
-	return sweep_items(t, f, text);
+	f->level = arena_zalloc(&t->arena, TRADE_LEVELS * sizeof(*f->level));
+	if (!f->level) {
+		diag_no_memory(&t->diag, "a sweep", TRADE_LEVELS * sizeof(*f->level));
+		return NULL;
+	}
+	snprintf(f->name, sizeof(f->name), "%.*s", (int)length, name);
+	f->by_default = by_default;
+	t->factors++;
+	return f;
 }
 
-/* NAME=LEVELS, or NAME alone for the levels that it has by default. */
+static enum status sweep_default(struct trade *t, size_t i)
+{
+	const char *levels = default_sweep[i].levels, *factor = default_sweep[i].factor;
+	struct trade_factor *f;
+
+	if (!find_option(levels, name_length(levels)))
+		return STATUS_OK;
+	f = factor_named(t, factor, strlen(factor), true);
+	return f ? sweep_items(t, f, levels) : STATUS_FAILED;
+}
+
 enum status trade_sweep(struct trade *t, const char *text)
 {
 	size_t name = strcspn(text, "=");
+	enum status st = STATUS_OK;
+	struct trade_factor *f;
+	bool known = false;
 
-	if (text[name])
-		return sweep(t, text, false);
-	for (size_t i = 0; i < sizeof(default_sweep) / sizeof(*default_sweep); i++) {
-		if (!strncmp(default_sweep[i], text, name) && default_sweep[i][name] == '=')
-			return sweep(t, default_sweep[i], true);
+	if (text[name] && !find_option(text, name))
+		return diag_fail(&t->diag, STATUS_USAGE, NULL,
+				 "--sweep=%s: alidade has no option --%.*s that takes a value", text, (int)name,
+				 text);
+	if (text[name]) {
+		f = factor_named(t, text, name, false);
+		return f ? sweep_items(t, f, text) : STATUS_FAILED;
 	}
-	if (!strcmp(text, "indirect"))
-		return sweep(t, indirect_sweep, true);
-	return diag_fail(&t->diag, STATUS_USAGE, NULL,
-			 "--sweep=%s: expected NAME=LEVEL,.. or one of accel, precision, aa, indirect", text);
+	for (size_t i = 0; i < DEFAULT_SWEEPS && !st; i++) {
+		if (!strcmp(default_sweep[i].factor, text)) {
+			known = true;
+			st = sweep_default(t, i);
+		}
+	}
+	if (!known)
+		return diag_fail(&t->diag, STATUS_USAGE, NULL,
+				 "--sweep=%s: expected NAME=LEVEL,.. or one of accel, precision, aa, indirect",
+				 text);
+	return st;
 }
 
 enum status trade_sweep_default(struct trade *t)
 {
 	enum status st = STATUS_OK;
 
-	for (size_t i = 0; i < sizeof(default_sweep) / sizeof(*default_sweep) && !st; i++)
-		st = sweep(t, default_sweep[i], true);
-	if (!st && t->about.radiosity)
-		st = sweep(t, indirect_sweep, true);
+	for (size_t i = 0; i < DEFAULT_SWEEPS && !st; i++) {
+		if (!default_sweep[i].radiosity || t->about.radiosity)
+			st = sweep_default(t, i);
+	}
 	return st;
 }
 
@@ -402,27 +407,59 @@ enum status trade_plan(struct trade *t)
 	return st;
 }
 
+/* The setting that is the fastest of those that change nothing but the accelerator. */
+static const struct trade_setting *fastest_alone(const struct trade *t, uint32_t accel)
+{
+	const struct trade_setting *best = NULL;
+
+	for (uint32_t i = 0; i < t->settings; i++) {
+		const struct trade_setting *s = &t->setting[i];
+		bool alone = trade_measured(t, s);
+
+		for (uint32_t f = 0; f < t->factors; f++)
+			alone = alone && (!s->level[f] || f == accel);
+		if (alone && (!best || s->range[t->clock].median < best->range[t->clock].median))
+			best = s;
+	}
+	return best;
+}
+
+static enum status choose_accel(struct trade *t, uint32_t accel, struct trade_planned *p)
+{
+	const struct trade_setting *fastest;
+	const char *spec = t->base_accel;
+
+	p->key = trade_plan_key(t, "parameters");
+	trade_store_find_plan(t, p);
+	if (p->found)
+		return STATUS_OK;
+	fastest = fastest_alone(t, accel);
+	if (!fastest)
+		return STATUS_OK;
+	if (fastest->level[accel])
+		spec = t->factor[accel].level[fastest->level[accel] - 1].accel;
+	snprintf(p->name, sizeof(p->name), "%.*s", (int)strcspn(spec, ":"), spec);
+	return t->complete ? trade_store_plan(t, p) : STATUS_OK;
+}
+
 /* Of the accelerator that was fastest as it is. */
-enum status trade_plan_parameters(struct trade *t, const struct trade_setting *fastest)
+enum status trade_plan_parameters(struct trade *t)
 {
 	uint16_t level[TRADE_FACTORS] = { 0 };
-	const char *spec = t->base_accel;
-	struct trade_factor *f = t->factor;
-	uint32_t from;
-	char name[128];
+	struct trade_planned p = { 0 };
+	uint32_t accel = 0, from;
 	enum status st;
 
-	while (f < t->factor + t->factors && strcmp(f->name, "accel") != 0)
-		f++;
-	if (f == t->factor + t->factors || !f->by_default)
+	while (accel < t->factors && strcmp(t->factor[accel].name, "accel") != 0)
+		accel++;
+	if (accel == t->factors || !t->factor[accel].by_default)
 		return STATUS_OK;
-	if (fastest->level[f - t->factor])
-		spec = f->level[fastest->level[f - t->factor] - 1].accel;
-	snprintf(name, sizeof(name), "%.*s", (int)strcspn(spec, ":"), spec);
-	from = f->levels;
-	st = add_plugins(t, f, name);
-	for (uint32_t l = from + 1; l <= f->levels && !st; l++) {
-		level[f - t->factor] = (uint16_t)l;
+	st = choose_accel(t, accel, &p);
+	from = t->factor[accel].levels;
+	if (!st && p.name[0])
+		st = add_plugins(t, &t->factor[accel], p.name);
+	for (uint32_t l = from + 1; l <= t->factor[accel].levels && !st; l++) {
+		level[accel] = (uint16_t)l;
 		st = trade_setting_add(t, level, TRADE_PARAMETER);
 	}
 	return st;

@@ -12,20 +12,67 @@
 #include "settings.h"
 #include "trade.h"
 
-/* base and scene, as alidade understands them; to be released whatever the status is. */
-static enum status parse_base(struct trade *t, struct settings *s)
+/* base, other options and the scene, as alidade understands them; s is to be released whatever the status
+ * is. */
+static enum status parse(const struct trade *t, char *const *option, uint32_t options, struct settings *s,
+			 struct mem_book *book, struct diag *d)
 {
 	char *argv[256] = { (char *)(uintptr_t) "alidade" };
 	int argc = 1;
 
-	settings_init(s, &t->book);
-	if (t->base_count > 250)
-		return diag_fail(&t->diag, STATUS_USAGE, NULL, "too many options");
+	settings_init(s, book);
+	if (t->base_count + options > 250)
+		return diag_fail(d, STATUS_USAGE, NULL, "too many options");
+	/* getopt_long() moves the pointers about, not the text. */
 	for (uint32_t i = 0; i < t->base_count; i++)
 		argv[argc++] = (char *)(uintptr_t)t->base[i];
+	for (uint32_t i = 0; i < options; i++)
+		argv[argc++] = option[i];
 	argv[argc++] = (char *)(uintptr_t) "--";
 	argv[argc++] = (char *)(uintptr_t)t->scene;
-	return settings_parse(s, argc, argv, &t->diag);
+	return settings_parse(s, argc, argv, d);
+}
+
+static enum status parse_base(struct trade *t, struct settings *s)
+{
+	return parse(t, NULL, 0, s, &t->book, &t->diag);
+}
+
+enum status trade_allowed(const struct trade *t, char *const *option, uint32_t options, struct diag *d)
+{
+	struct settings s;
+	struct mem_book book;
+	enum status st;
+
+	mem_book_init(&book, 0);
+	st = parse(t, option, options, &s, &book, d);
+	settings_release(&s);
+	return st;
+}
+
+/* settings_describe() tells what decides the picture; of the levels that we choose ourselves those of
+ * these options say nothing but that. */
+bool trade_changes_nothing(const struct trade *t, const struct trade_level *l)
+{
+	struct settings s;
+	struct mem_book book;
+	struct diag silent = { 0 };
+	char text[sizeof(t->about.options)];
+	bool same = true;
+
+	for (uint32_t i = 0; i < l->options; i++)
+		same = same && (!strncmp(l->option[i], "--aa=", 5) || !strncmp(l->option[i], "--indirect", 10));
+	if (!same)
+		return false;
+	mem_book_init(&book, 0);
+	same = !parse(t, l->option, l->options, &s, &book, &silent) &&
+	       !settings_finish(&s, &t->about.job, &silent);
+	if (same) {
+		settings_describe(&s, text, sizeof(text));
+		same = !strcmp(text, t->about.options);
+	}
+	settings_release(&s);
+	return same;
 }
 
 /* What would draw no picture, or put it elsewhere. */
@@ -95,6 +142,9 @@ static enum status look(struct trade *t, void *arg, void *out)
 	if (!st)
 		st = settings_finish(&s, &job, &t->diag);
 	if (!st) {
+		about->job = job;
+		about->job.output = NULL; /* it is the scene's */
+		settings_describe(&s, about->options, sizeof(about->options));
 		about->hash = scene_hash(&scene);
 		about->width = s.render.crop_width ? s.render.crop_width : s.render.width;
 		about->height = s.render.crop_width ? s.render.crop_height : s.render.height;

@@ -232,6 +232,35 @@ enum status trade_store_reference(struct trade *t)
 	return end_line(t, &j);
 }
 
+uint64_t trade_plan_key(const struct trade *t, const char *stage)
+{
+	uint64_t h = trade_hash_text(HASH_START, stage);
+
+	h = HASH(h, t->clock);
+	h = HASH(h, t->error);
+	h = HASH(h, t->combinations);
+	for (uint32_t i = 0; i < t->settings; i++)
+		h = HASH(h, t->setting[i].key);
+	return h;
+}
+
+enum status trade_store_plan(struct trade *t, const struct trade_planned *p)
+{
+	struct json j;
+
+	begin_line(t, &j, "plan", p->key);
+	json_string(&j, "name", p->name);
+	json_array(&j, "levels");
+	for (uint32_t i = 0; i < p->count; i++) {
+		json_array(&j, NULL);
+		for (uint32_t f = 0; f < t->factors; f++)
+			json_uint(&j, NULL, p->level[i][f]);
+		json_end(&j);
+	}
+	json_end(&j);
+	return end_line(t, &j);
+}
+
 static uint64_t hex_at(const struct json_value *v, const char *key)
 {
 	return strtoull(json_text_at(v, key, "0"), NULL, 16);
@@ -330,4 +359,35 @@ bool trade_store_find_reference(struct trade *t)
 	t->reference.pictures = 0;
 	t->reference.hash = trade_hash_file(HASH_START, t->reference.file);
 	return t->reference.hash && !each_line(t, take_reference, 0) && t->reference.pictures;
+}
+
+static void take_plan(struct trade *t, const struct json_value *v, uint32_t arg)
+{
+	struct trade_planned *p = t->looking;
+	const struct json_value *list = json_at(v, "levels");
+
+	(void)arg;
+	if (strcmp(json_text_at(v, "kind", ""), "plan") != 0 || hex_at(v, "key") != p->key)
+		return;
+	p->found = true;
+	p->count = 0;
+	snprintf(p->name, sizeof(p->name), "%s", json_text_at(v, "name", ""));
+	for (list = list ? list->child : NULL; list && p->count < p->room; list = list->next, p->count++) {
+		uint32_t f = 0;
+
+		memset(p->level[p->count], 0, sizeof(*p->level));
+		for (const struct json_value *l = list->child; l && f < t->factors; l = l->next, f++)
+			p->level[p->count][f] = l->number >= 0 && l->number <= t->factor[f].levels ?
+							(uint16_t)l->number :
+							0;
+	}
+}
+
+void trade_store_find_plan(struct trade *t, struct trade_planned *p)
+{
+	p->found = false;
+	t->looking = p;
+	if (each_line(t, take_plan, 0))
+		p->found = false;
+	t->looking = NULL;
 }

@@ -17,6 +17,7 @@
 #include "base/mem.h"
 #include "image/diff.h"
 #include "look/progress.h"
+#include "read/read.h"
 
 #define TRADE_FACTORS 16
 #define TRADE_LEVELS 96 /* of a factor */
@@ -108,6 +109,8 @@ struct trade_about {
 	uint64_t hash;
 	uint32_t width, height;
 	bool radiosity;
+	struct read_job job; /* what its .ini says */
+	char options[256]; /* of base, as alidade describes them */
 };
 
 struct trade_reference {
@@ -117,6 +120,8 @@ struct trade_reference {
 	double noise; /* RMS that it is off by itself, as far as that is known */
 	uint32_t pictures; /* it is the mean of */
 };
+
+struct trade_planned;
 
 struct trade {
 	/* What was asked for. */
@@ -149,6 +154,7 @@ struct trade {
 	bool complete; /* all that was planned has been measured */
 	double began, longest; /* seconds: when measuring began; a run that takes longer is stopped */
 	FILE *results;
+	struct trade_planned *looking; /* the plan that is looked for in them */
 	char results_name[TRADE_PATH], work[TRADE_PATH]; /* work: a folder that is removed at the end */
 	uint64_t done, planned; /* runs */
 	uint64_t kept, made; /* runs: from earlier, and now */
@@ -164,7 +170,7 @@ enum status trade_sweep(struct trade *, const char *text); /* of --sweep */
 enum status trade_sweep_default(struct trade *);
 bool trade_sweeps(const struct trade *, const char *option); /* is it part of any level? */
 enum status trade_plan(struct trade *); /* the default, and each level alone */
-enum status trade_plan_parameters(struct trade *, const struct trade_setting *fastest);
+enum status trade_plan_parameters(struct trade *);
 enum status trade_plan_combinations(struct trade *); /* combine.c */
 enum status trade_setting_add(struct trade *, const uint16_t *level, enum trade_stage);
 /* The options of a setting beyond base; ends with NULL. out has room for TRADE_FACTORS *
@@ -172,12 +178,13 @@ enum status trade_setting_add(struct trade *, const uint16_t *level, enum trade_
 uint32_t trade_options(const struct trade *, const struct trade_setting *, const char **out);
 /* What would be typed to draw the picture with it. */
 const char *trade_command(struct trade *, const struct trade_setting *);
-/* The base, with these options after it, is a command line that alidade takes. */
-enum status trade_allowed(const struct trade *, char *const *option, uint32_t options, struct diag *);
 /* "aa=8+indirect=exact" to a level. */
 enum status trade_level_parse(struct trade *, const char *text, struct trade_level *);
 
 /* scene.c */
+/* The base, with these options after it, is a command line that alidade takes. */
+enum status trade_allowed(const struct trade *, char *const *option, uint32_t options, struct diag *);
+bool trade_changes_nothing(const struct trade *, const struct trade_level *);
 enum status trade_check_base(struct trade *);
 enum status trade_look(struct trade *);
 
@@ -188,9 +195,21 @@ enum status trade_store_run(struct trade *, const struct trade_setting *, const 
 enum status trade_store_failure(struct trade *, const struct trade_setting *, double limit);
 enum status trade_store_verify(struct trade *, const struct trade_setting *);
 enum status trade_store_reference(struct trade *);
+/* What a stage planned from what the settings before it had shown: a name, or lists of levels. It is kept, as
+ * other measurements of the same would lead to another plan, and no run would ever be the last. */
+struct trade_planned {
+	uint64_t key;
+	bool found;
+	char name[128];
+	uint16_t (*level)[TRADE_FACTORS];
+	uint32_t count, room;
+};
+enum status trade_store_plan(struct trade *, const struct trade_planned *);
+void trade_store_find_plan(struct trade *, struct trade_planned *); /* of its key */
 bool trade_store_find_reference(struct trade *); /* of its key */
 uint64_t trade_hash_file(uint64_t h, const char *path); /* 0: it cannot be read */
 uint64_t trade_hash_text(uint64_t h, const char *text);
+uint64_t trade_plan_key(const struct trade *, const char *stage);
 uint64_t trade_setting_key(const struct trade *, const struct trade_setting *);
 uint64_t trade_options_key(const struct trade *, const char *const *option, const char *accel);
 

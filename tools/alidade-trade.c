@@ -248,7 +248,7 @@ static void init(struct run *run)
 	t->combinations = 16;
 	t->verify = 16;
 	t->budget = 600;
-	t->max_error = t->max_time = NAN;
+	t->max_error = t->max_time = (double)NAN;
 	t->clock = TRADE_PROCESS;
 	t->error = TRADE_RMSE;
 	t->space = DIFF_SRGB;

@@ -56,7 +56,7 @@ static double place(const struct axis *a, double value)
 static void fit(struct axis *a, const struct trade *t, const struct trade_setting **s, uint32_t n,
 		enum trade_value v)
 {
-	double low = INFINITY, high = 0, air;
+	double low = HUGE_VAL, high = 0, air;
 
 	for (uint32_t i = 0; i < n; i++) {
 		const struct trade_range *r = &s[i]->range[v];
@@ -205,7 +205,7 @@ static void put_label(struct chart *c, const struct trade_setting *s)
 {
 	static const double ring[] = { 9, 22, 38, 58, 84, 116 };
 	double x = place(&c->x, s->range[c->t->clock].median);
-	double y = place(&c->y, fabs(s->range[c->t->error].median)), width, best = INFINITY;
+	double y = place(&c->y, fabs(s->range[c->t->error].median)), width, best = HUGE_VAL;
 	struct box found = { 0 };
 	char text[LABEL_LONGEST + 8];
 	bool far = false;

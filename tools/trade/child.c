@@ -112,7 +112,7 @@ static void take_phase(struct trade_child *c, const struct json_value *v)
 		return;
 	for (size_t i = 0; i < sizeof(known) / sizeof(*known); i++) {
 		if (!strcmp(phase, known[i].phase))
-			c->value[known[i].value] = json_number_at(v, "elapsed", NAN);
+			c->value[known[i].value] = json_number_at(v, "elapsed", (double)NAN);
 	}
 }
 
@@ -201,7 +201,7 @@ enum status trade_child_run(struct trade *t, struct trade_child *c)
 	snprintf(f.err, sizeof(f.err), "%s/err", t->work);
 	arguments(t, c, own, argv);
 	for (int v = 0; v < TRADE_VALUES; v++)
-		c->value[v] = NAN;
+		c->value[v] = (double)NAN;
 	c->late = false;
 	c->message[0] = 0;
 	began = clock_seconds();

@@ -34,7 +34,7 @@ void trade_range_of(const double *value, uint32_t count, struct trade_range *r)
 		if (!isnan(value[i]))
 			v[n++] = value[i];
 	}
-	*r = (struct trade_range){ NAN, NAN, NAN, 0, n };
+	*r = (struct trade_range){ (double)NAN, (double)NAN, (double)NAN, 0, n };
 	if (!n)
 		return;
 	qsort(v, n, sizeof(*v), compare_doubles);

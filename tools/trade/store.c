@@ -273,7 +273,7 @@ static void take_run(struct trade *t, struct trade_setting *s, const struct json
 	if (s->runs == TRADE_RUNS)
 		return;
 	for (int i = 0; i < TRADE_VALUES; i++)
-		r->value[i] = json_number_at(v, trade_column[i].key, NAN);
+		r->value[i] = json_number_at(v, trade_column[i].key, (double)NAN);
 	r->seed = (uint64_t)json_number_at(v, "seed", 0);
 	r->picture = hex_at(v, "picture");
 	if (isnan(r->value[TRADE_PROCESS]) || isnan(r->value[TRADE_RMSE]))
@@ -348,7 +348,7 @@ static void take_reference(struct trade *t, const struct json_value *v, uint32_t
 	if (strcmp(json_text_at(v, "kind", ""), "reference") != 0 || hex_at(v, "key") != r->key ||
 	    hex_at(v, "picture") != r->hash)
 		return;
-	r->noise = json_number_at(v, "noise", NAN);
+	r->noise = json_number_at(v, "noise", (double)NAN);
 	r->pictures = (uint32_t)json_number_at(v, "pictures", 1);
 	t->reference.options = trade_text(t, "%s", json_text_at(v, "options", ""));
 }

@@ -376,10 +376,53 @@ static double ald_exact_volume(const ald_prep *p, const ald_vec *b, const ald_ve
 	return sum;
 }
 
+/* Does the line surely miss the triangle? Edge by edge with m, the moment of the line about a, which is computed
+ * from the exact o - a with products in two parts: with u the roundoff and S_k the size of the products of m_k,
+ * m_k is off by less than 2 u |m_k| + 16 u^2 S_k, so each weight by less than 12 u times the sum of its products'
+ * sizes and what is left of m's; 0x1p-600 is more than all that underflows. Where sizes in a scene differ much,
+ * what its size leaves in doubt is mostly decided here, far more cheaply than without any rounding. */
+#ifdef __GNUC__
+__attribute__((noinline, cold, unused))
+#endif
+static int ald_surely_missed(const ald_prep *p, const ald_vec *a, const ald_vec *b, const ald_vec *c)
+{
+	double hi[3], lo[3], w[3] = { 0, 0, 0 }, off[3] = { 0x1p-600, 0x1p-600, 0x1p-600 };
+
+	for (unsigned k = 0; k < 3; k++) {
+		double x = p->o[k], y = ald_get(a, k), s = x - y, v = x - s;
+
+		hi[k] = s;
+		lo[k] = (x - (s + v)) + (v - y);
+	}
+	for (unsigned k = 0; k < 3; k++) {
+		unsigned i = k == 2 ? 0 : k + 1, j = i == 2 ? 0 : i + 1;
+		double ax = ald_get(a, i), ay = ald_get(a, j), az = ald_get(a, k);
+		double ex = ald_get(b, i) - ax, ey = ald_get(b, j) - ay, ez = ald_get(b, k) - az;
+		double gx = ald_get(c, i) - ax, gy = ald_get(c, j) - ay, gz = ald_get(c, k) - az;
+		double p0, p1, q0 = ald_product(hi[i], p->d[j], &p0), q1 = ald_product(hi[j], p->d[i], &p1);
+		double m = (q0 - q1) + ((p0 - p1) + (lo[i] * p->d[j] - lo[j] * p->d[i]));
+		double s = q0 - q1, v = q0 - s, fine = 32 * ALD_U * ALD_U * (fabs(q0) + fabs(q1));
+		double across = ald_get(c, k) - ald_get(b, k);
+
+		m += (q0 - (s + v)) + (v - q1);
+		w[0] += p->d[k] * (ex * gy - ey * gx) + m * across;
+		w[1] -= m * gz;
+		w[2] += m * ez;
+		off[0] += 16 * ALD_U * (fabs(p->d[k]) * (fabs(ex * gy) + fabs(ey * gx)) + fabs(m * across)) +
+			  fine * fabs(across);
+		off[1] += 16 * ALD_U * fabs(m * gz) + fine * fabs(gz);
+		off[2] += 16 * ALD_U * fabs(m * ez) + fine * fabs(ez);
+	}
+	return (w[0] > off[0] || w[1] > off[1] || w[2] > off[2]) &&
+	       (w[0] < -off[0] || w[1] < -off[1] || w[2] < -off[2]);
+}
+
 /* The weights of a, b and c by their exact signs; 0: the line misses. */
 ALD_INLINE int ald_exact_weights(const ald_prep *p, const ald_vec *a, const ald_vec *b, const ald_vec *c,
 				 double w[3])
 {
+	if (ald_surely_missed(p, a, b, c))
+		return 0;
 	w[0] = ald_exact_volume(p, b, c);
 	w[1] = ald_exact_volume(p, c, a);
 	w[2] = ald_exact_volume(p, a, b);

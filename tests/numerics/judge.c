@@ -47,7 +47,7 @@ static bool within(uint64_t count, uint64_t n, uint32_t limit)
 static void report(const char *name, const struct tally *t, const struct limits *l)
 {
 	uint64_t strict = tally_hard(t) + t->silhouettes;
-	bool good = t->rays && !t->unlike && within(t->leaks, t->rays, l->leaks) &&
+	bool good = t->rays && !t->unlike && t->plain && !t->unlike_plain && within(t->leaks, t->rays, l->leaks) &&
 		    within(tally_hard(t), t->rays, l->hard) && within(strict, t->rays, l->strict) &&
 		    within(t->wrong_sheet, t->rays, l->sheets);
 

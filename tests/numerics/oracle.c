@@ -8,18 +8,23 @@
 
 #include <gmp.h>
 
+#include "sieve.h"
+
 struct exact { /* one triangle and one ray, as whole numbers: t = d / s 2^e */
 	mpz_t w[3], s, d;
 };
 
 struct oracle {
 	const struct soup *soup;
+	struct sieve *sieve;
+	uint32_t *candidate; /* room for all triangles */
+	mpz_t origin[3]; /* relative to the sieve's point of reference */
 	int mesh_exponent; /* every finite coordinate is a multiple of 2^this */
 	mpz_t o[3], dir[3], v[3][3], cross, product;
 	struct exact now, best;
 	mpz_t left, right;
 	mpf_t t, other;
-	int exponent; /* of best's t */
+	int exponent, exponent_m; /* of best's t; of the moment of the ray */
 };
 
 /* The greatest e such that x is a multiple of 2^e. */
@@ -83,8 +88,11 @@ struct oracle *oracle_new(const struct soup *soup)
 	o->mesh_exponent = 2000;
 	for (uint32_t i = 0; i < soup->vertices; i++)
 		o->mesh_exponent = lesser(o->mesh_exponent, vec_exponent(soup->vertex[i]));
+	o->sieve = sieve_new(soup);
+	o->candidate = calloc(soup->triangles + 1, sizeof(*o->candidate));
+	o->mesh_exponent = lesser(o->mesh_exponent, vec_exponent(sieve_reference(o->sieve)));
 	for (unsigned k = 0; k < 3; k++)
-		mpz_inits(o->o[k], o->dir[k], o->v[k][0], o->v[k][1], o->v[k][2], NULL);
+		mpz_inits(o->o[k], o->dir[k], o->origin[k], o->v[k][0], o->v[k][1], o->v[k][2], NULL);
 	mpz_inits(o->cross, o->product, o->left, o->right, NULL);
 	mpf_init2(o->t, 512);
 	mpf_init2(o->other, 512);
@@ -95,8 +103,10 @@ struct oracle *oracle_new(const struct soup *soup)
 
 void oracle_free(struct oracle *o)
 {
+	sieve_free(o->sieve);
+	free(o->candidate);
 	for (unsigned k = 0; k < 3; k++)
-		mpz_clears(o->o[k], o->dir[k], o->v[k][0], o->v[k][1], o->v[k][2], NULL);
+		mpz_clears(o->o[k], o->dir[k], o->origin[k], o->v[k][0], o->v[k][1], o->v[k][2], NULL);
 	mpz_clears(o->cross, o->product, o->left, o->right, NULL);
 	mpf_clears(o->t, o->other, NULL);
 	exact_clear(&o->now);
@@ -186,38 +196,57 @@ static bool finite_triangle(const struct soup *s, uint32_t i)
 	return vec_finite(s->vertex[t[0]]) && vec_finite(s->vertex[t[1]]) && vec_finite(s->vertex[t[2]]);
 }
 
-static double largest(vec v)
-{
-	return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
-}
-
-/* Surely missed: two weights, each off 0 by more than they can be wrong, differ in sign. With m the largest
- * component among a, b, c, each weight is a sum of six products of at most |d| m m, with at most eight
- * roundings each. */
-static bool surely_missed(const struct soup *s, uint32_t i, const ald_ray *r)
-{
-	const uint32_t *t = s->triangle[i];
-	vec a = vec_sub(s->vertex[t[0]], r->org), b = vec_sub(s->vertex[t[1]], r->org);
-	vec c = vec_sub(s->vertex[t[2]], r->org);
-	double m = fmax(largest(a), fmax(largest(b), largest(c)));
-	double bound = 64 * DBL_EPSILON * largest(r->dir) * m * m;
-	double w[3] = { vec_dot(r->dir, vec_cross(b, c)), vec_dot(r->dir, vec_cross(c, a)),
-			vec_dot(r->dir, vec_cross(a, b)) };
-	bool pos = w[0] > bound || w[1] > bound || w[2] > bound;
-	bool neg = w[0] < -bound || w[1] < -bound || w[2] < -bound;
-
-	return pos && neg && bound > DBL_MIN;
-}
-
 static void add_tie(struct truth *out, uint32_t i)
 {
 	if (out->ties < ORACLE_TIES)
 		out->tie[out->ties++] = i;
 }
 
-void oracle_ask(struct oracle *o, const ald_ray *r, struct truth *out)
+/* (o - c) x d, each component off by less than 2^-52 of itself: cut off once. */
+static vec moment(struct oracle *o, int e)
+{
+	vec m;
+
+	set_vec(o->origin, sieve_reference(o->sieve), e);
+	for (unsigned k = 0; k < 3; k++)
+		mpz_sub(o->origin[k], o->o[k], o->origin[k]);
+	for (unsigned k = 0; k < 3; k++) {
+		unsigned i = (k + 1) % 3, j = (k + 2) % 3;
+		long power;
+		double x;
+
+		mpz_mul(o->cross, o->origin[i], o->dir[j]);
+		mpz_submul(o->cross, o->origin[j], o->dir[i]);
+		x = mpz_get_d_2exp(&power, o->cross);
+		(&m.x)[k] = ldexp(x, (int)power + o->exponent_m);
+	}
+	return m;
+}
+
+/* Takes triangle i, which has area and finite corners, into account. */
+static void consider(struct oracle *o, const ald_ray *r, uint32_t i, int e, struct truth *out)
+{
+	int order;
+
+	if (!meets(o, i, e) || compare_t(o, r->tmin, o->exponent) <= 0 || compare_t(o, r->tmax, o->exponent) > 0)
+		return;
+	order = out->hit ? compare_best(o) : -1;
+	if (order < 0) {
+		struct exact x = o->best;
+
+		o->best = o->now;
+		o->now = x;
+		out->hit = true;
+		out->ties = 0;
+	}
+	if (order <= 0)
+		add_tie(out, i);
+}
+
+static void ask(struct oracle *o, const ald_ray *r, bool sieved, struct truth *out)
 {
 	int e = lesser(o->mesh_exponent, vec_exponent(r->org)), f = vec_exponent(r->dir);
+	uint32_t n = o->soup->triangles;
 
 	*out = (struct truth){ .hit = false };
 	if (!vec_finite(r->org) || !vec_finite(r->dir) || f == 2000 || !(r->tmin <= r->tmax))
@@ -225,24 +254,14 @@ void oracle_ask(struct oracle *o, const ald_ray *r, struct truth *out)
 	set_vec(o->o, r->org, e);
 	set_vec(o->dir, r->dir, f);
 	o->exponent = e - f;
-	for (uint32_t i = 0; i < o->soup->triangles; i++) {
-		int order;
-
-		if (!finite_triangle(o->soup, i) || surely_missed(o->soup, i, r) || !meets(o, i, e))
-			continue;
-		if (compare_t(o, r->tmin, e - f) <= 0 || compare_t(o, r->tmax, e - f) > 0)
-			continue;
-		order = out->hit ? compare_best(o) : -1;
-		if (order < 0) {
-			struct exact x = o->best;
-
-			o->best = o->now;
-			o->now = x;
-			out->hit = true;
-			out->ties = 0;
-		}
-		if (order <= 0)
-			add_tie(out, i);
+	o->exponent_m = e + f;
+	if (sieved)
+		n = sieve_line(o->sieve, r->dir, moment(o, e), o->candidate);
+	for (uint32_t i = 0; i < n; i++) {
+		if (sieved)
+			consider(o, r, o->candidate[i], e, out);
+		else if (finite_triangle(o->soup, i))
+			consider(o, r, i, e, out);
 	}
 	if (!out->hit)
 		return;
@@ -251,6 +270,27 @@ void oracle_ask(struct oracle *o, const ald_ray *r, struct truth *out)
 	mpf_div(o->t, o->t, o->other);
 	scale_2exp(o->t, o->exponent);
 	out->t = mpf_get_d(o->t);
+}
+
+void oracle_ask(struct oracle *o, const ald_ray *r, struct truth *out)
+{
+	ask(o, r, true, out);
+}
+
+void oracle_ask_all(struct oracle *o, const ald_ray *r, struct truth *out)
+{
+	ask(o, r, false, out);
+}
+
+bool truth_same(const struct truth *a, const struct truth *b)
+{
+	if (a->hit != b->hit || (a->hit && a->t != b->t) || a->ties != b->ties)
+		return false;
+	for (uint32_t i = 0; i < a->ties; i++) {
+		if (a->tie[i] != b->tie[i])
+			return false;
+	}
+	return true;
 }
 
 double oracle_error(struct oracle *o, double t)

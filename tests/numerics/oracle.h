@@ -34,6 +34,9 @@ struct oracle *oracle_new(const struct soup *); /* which has to outlive it */
 void oracle_free(struct oracle *);
 /* The nearest t in (tmin, tmax]; skip, mask and after are not looked at. */
 void oracle_ask(struct oracle *, const ald_ray *, struct truth *);
+/* The same without the sieve, which is held against it: every triangle is looked at in whole numbers. */
+void oracle_ask_all(struct oracle *, const ald_ray *, struct truth *);
+bool truth_same(const struct truth *, const struct truth *);
 /* |t - the truth| / |the truth| of the ray last asked about, which has hit. */
 double oracle_error(struct oracle *, double t);
 bool truth_has(const struct truth *, uint32_t id);

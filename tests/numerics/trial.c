@@ -118,9 +118,16 @@ static void judge(struct trial *t, const ald_ray *r, const ald_hit *hit, struct 
 	double length = vec_length(r->dir);
 	bool found = hit->prim != ALD_NONE;
 	unsigned hits, near;
-	struct truth truth;
+	struct truth truth, plain;
 
-	oracle_ask(t->oracle, r, &truth);
+	if (n->rays % PLAIN_SHARE == 0) {
+		oracle_ask_all(t->oracle, r, &plain);
+		oracle_ask(t->oracle, r, &truth);
+		n->plain++;
+		n->unlike_plain += !truth_same(&plain, &truth);
+	} else {
+		oracle_ask(t->oracle, r, &truth);
+	}
 	n->rays++;
 	n->hits += truth.hit;
 	if (!found && !truth.hit)

@@ -19,7 +19,7 @@
 #include "alidade/kernel.h"
 #include "soups.h"
 
-enum { TRIAL_ACCELS = 8, TRIAL_BATCH = 1024 };
+enum { TRIAL_ACCELS = 8, TRIAL_BATCH = 1024, PLAIN_SHARE = 401 };
 
 struct trial_tools { /* the same for all trials */
 	struct mem_book book;
@@ -33,6 +33,7 @@ struct tally {
 	uint64_t rays, hits, leaks, through, ghosts, silhouettes, neighbours;
 	uint64_t unlike; /* an accelerator answered other bits than the first one */
 	uint64_t wrong_sheet;
+	uint64_t plain, unlike_plain; /* asked without the oracle's sieve too; answered otherwise then */
 	double t_error; /* the largest, of right hits */
 };
 

@@ -3,9 +3,9 @@
  *
  * Every accelerator against exact arithmetic, on rays made to be hard: run by judge.sh.
  *
- *	judge [-n RAYS] [-s SEED] [-a ACCEL]... [CLASS...]
+ *	judge [-n RAYS] [-s SEED] [-j PROCESSES] [-a ACCEL]... [CLASSES]
  *
- * RAYS a cell (3000). Classes (all): a aimed at vertices and edges; b grazing and in the plane of faces; c along
+ * RAYS a cell (3000); PROCESSES share the cells (as many as there are cores). Classes (all): a aimed at vertices and edges; b grazing and in the plane of faces; c along
  * axes; d needles and faces without area; e rays that leave surfaces; f extremes of size, and numbers that are
  * none; g sheets very close to each other; r ordinary ones.
  */
@@ -15,26 +15,18 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "trial.h"
+#include "course.h"
+#include "crew.h"
 
 static struct trial_tools tools;
 static uint32_t rays = 3000;
 static uint64_t first_seed = 1;
-static unsigned tests, failures;
+static const char *want = "abcdefgr"; /* classes */
 
 enum { ANY = UINT32_MAX }; /* a count that is told but not bounded */
 
 struct limits { /* per million; ANY */
 	uint32_t leaks, hard, strict, sheets;
-};
-
-struct course { /* rays over one placed soup */
-	const struct soup *soup;
-	vec centre;
-	double radius;
-	bool floats, inside, unit;
-	int ulps; /* b: off the plane */
-	uint64_t seed;
 };
 
 /* ---- reporting ---- */
@@ -44,152 +36,29 @@ static bool within(uint64_t count, uint64_t n, uint32_t limit)
 	return limit == ANY || (double)count * 1e6 <= (double)limit * (double)n;
 }
 
-static void report(const char *name, const struct tally *t, const struct limits *l)
+static bool good_enough(const struct tally *t, const struct limits *l)
 {
 	uint64_t strict = tally_hard(t) + t->silhouettes;
-	bool good = t->rays && !t->unlike && t->plain && !t->unlike_plain && within(t->leaks, t->rays, l->leaks) &&
-		    within(tally_hard(t), t->rays, l->hard) && within(strict, t->rays, l->strict) &&
-		    within(t->wrong_sheet, t->rays, l->sheets);
 
-	printf("%sok %u - %s\n", good ? "" : "not ", ++tests, name);
-	printf("# %llu rays, %llu hit; leak %llu, through %llu, ghost %llu, silhouette %llu, neighbour %llu, "
-	       "sheet %llu, unlike %llu; t off by %.1e at most\n",
-	       (unsigned long long)t->rays, (unsigned long long)t->hits, (unsigned long long)t->leaks,
-	       (unsigned long long)t->through, (unsigned long long)t->ghosts, (unsigned long long)t->silhouettes,
-	       (unsigned long long)t->neighbours, (unsigned long long)t->wrong_sheet,
-	       (unsigned long long)t->unlike, t->t_error);
-	fflush(stdout);
-	failures += !good;
+	if (!t->rays || t->unlike || !t->plain || t->unlike_plain)
+		return false;
+	return within(t->leaks, t->rays, l->leaks) && within(tally_hard(t), t->rays, l->hard) &&
+	       within(strict, t->rays, l->strict) && within(t->wrong_sheet, t->rays, l->sheets);
 }
 
-/* ---- rays ---- */
-
-static double kept(const struct course *c, double x)
+static void report(const char *name, const struct tally *t, const struct limits *l)
 {
-	return c->floats ? as_float(x) : x;
-}
+	char line[400];
 
-static vec kept_vec(const struct course *c, vec v)
-{
-	return vec_make(kept(c, v.x), kept(c, v.y), kept(c, v.z));
-}
-
-static void start(ald_ray *r)
-{
-	*r = (ald_ray){ .tmax = ALD_INF, .mask = ~0u, .skip = ALD_NONE, .after = ALD_NONE,
-			.after_sub = { ALD_NONE, ALD_NONE } };
-}
-
-static vec vertex_of(const struct course *c, uint32_t triangle, unsigned k)
-{
-	return c->soup->vertex[c->soup->triangle[triangle][k % 3]];
-}
-
-static vec origin_of(struct course *c)
-{
-	vec d = random_direction(&c->seed);
-
-	return kept_vec(c, vec_mad(c->centre, d, c->radius * (c->inside ? 0.3 * random_unit(&c->seed) : 3)));
-}
-
-static void aim(struct course *c, vec target, ald_ray *r)
-{
-	r->dir = kept_vec(c, vec_sub(target, r->org));
-	if (c->unit)
-		r->dir = kept_vec(c, vec_unit(r->dir));
-}
-
-static void ray_aimed(void *arg, uint32_t i, ald_ray *r)
-{
-	struct course *c = arg;
-	uint32_t f = random_below(&c->seed, c->soup->triangles), k = random_below(&c->seed, 3);
-	vec a = vertex_of(c, f, k), b = vertex_of(c, f, k + 1);
-	double x = i % 3 == 0 ? 0 : i % 3 == 1 ? random_unit(&c->seed) : 0.5;
-
-	start(r);
-	r->org = origin_of(c);
-	aim(c, kept_vec(c, vec_mad(a, vec_sub(b, a), x)), r);
-}
-
-static void ray_ordinary(void *arg, uint32_t i, ald_ray *r)
-{
-	struct course *c = arg;
-
-	(void)i;
-	start(r);
-	r->org = origin_of(c);
-	aim(c, vec_mad(c->centre, random_direction(&c->seed), c->radius * random_unit(&c->seed)), r);
-}
-
-static void ray_mixed(void *arg, uint32_t i, ald_ray *r)
-{
-	struct course *c = arg;
-
-	c->inside = i & 2;
-	(i & 1 ? ray_aimed : ray_ordinary)(arg, i / 4, r);
-}
-
-static double step_ulps(const struct course *c, double x, int n)
-{
-	return c->floats ? (double)(n > 0 ? nextafterf((float)x, HUGE_VALF) :
-				    n < 0 ? nextafterf((float)x, -HUGE_VALF) : (float)x) :
-			   n > 0 ? nextafter(x, HUGE_VAL) : n < 0 ? nextafter(x, -HUGE_VAL) : x;
-}
-
-/* In the plane of a face of the box, or some ulps off it, towards the box; ulps count outwards. */
-static void ray_in_plane(void *arg, uint32_t i, ald_ray *r)
-{
-	struct course *c = arg;
-	unsigned axis = i % 3, up = i / 3 % 2;
-	double *o, *d, plane = up ? -HUGE_VAL : HUGE_VAL;
-
-	for (uint32_t k = 0; k < c->soup->vertices; k++) {
-		double x = (&c->soup->vertex[k].x)[axis];
-
-		plane = up ? fmax(plane, x) : fmin(plane, x);
-	}
-	c->inside = false;
-	ray_ordinary(arg, i, r);
-	o = &r->org.x + axis;
-	d = &r->dir.x + axis;
-	*o = step_ulps(c, plane, up ? c->ulps : -c->ulps);
-	*d = i & 8 ? 0.0 : -0.0;
-}
-
-/* To a point of a face, at 1e-7 to 1e-3 radians to it. */
-static void ray_grazing(void *arg, uint32_t i, ald_ray *r)
-{
-	struct course *c = arg;
-	uint32_t f = random_below(&c->seed, c->soup->triangles);
-	vec a = vertex_of(c, f, 0), ab = vec_sub(vertex_of(c, f, 1), a), ac = vec_sub(vertex_of(c, f, 2), a);
-	double u = random_unit(&c->seed), v = random_unit(&c->seed) * (1 - u);
-	vec p = vec_mad(vec_mad(a, ab, u), ac, v), n = vec_unit(vec_cross(ab, ac));
-	vec d = vec_unit(vec_add(vec_scale(ab, random_signed(&c->seed)), vec_scale(ac, random_signed(&c->seed))));
-
-	start(r);
-	r->dir = vec_mad(d, n, pow(10, -7 + 4 * random_unit(&c->seed)) * (i & 1 ? 1 : -1));
-	r->org = kept_vec(c, vec_mad(p, r->dir, -2 * c->radius));
-	r->dir = kept_vec(c, r->dir);
-}
-
-/* Through a vertex, with one or two components of the direction +-0. */
-static void ray_axis(void *arg, uint32_t i, ald_ray *r)
-{
-	struct course *c = arg;
-	vec v = c->soup->vertex[random_below(&c->seed, c->soup->vertices)];
-	unsigned axis = i % 3;
-
-	start(r);
-	r->dir = random_direction(&c->seed);
-	(&r->dir.x)[axis] = i & 4 ? 0.0 : -0.0;
-	if (i & 8)
-		(&r->dir.x)[(axis + 1) % 3] = i & 16 ? 0.0 : -0.0;
-	r->dir = kept_vec(c, r->dir);
-	r->org = kept_vec(c, vec_mad(v, r->dir, -3 * c->radius / vec_length(r->dir)));
-	for (unsigned k = 0; k < 3; k++) {
-		if ((&r->dir.x)[k] == 0)
-			(&r->org.x)[k] = (&v.x)[k];
-	}
+	snprintf(line, sizeof(line),
+		 "%llu rays, %llu hit; leak %llu, through %llu, ghost %llu, silhouette %llu, neighbour %llu, "
+		 "id %llu, sheet %llu, unlike %llu; t off by %.1e at most",
+		 (unsigned long long)t->rays, (unsigned long long)t->hits, (unsigned long long)t->leaks,
+		 (unsigned long long)t->through, (unsigned long long)t->ghosts,
+		 (unsigned long long)t->silhouettes, (unsigned long long)t->neighbours,
+		 (unsigned long long)t->wrong_ids, (unsigned long long)t->wrong_sheet,
+		 (unsigned long long)t->unlike, t->t_error);
+	crew_tell(name, t, good_enough(t, l), line);
 }
 
 /* ---- cells ---- */
@@ -236,19 +105,20 @@ static struct course course_of(double scale, double k, bool floats, uint64_t see
 
 static uint64_t next_seed(void)
 {
-	return first_seed * 0x9e3779b97f4a7c15u + tests;
+	return first_seed * 0x9e3779b97f4a7c15u + crew_cell();
 }
 
 /* One cell over three meshes. */
-static void cell_meshes(const char *name, double scale, double k, bool floats, bool inside, bool unit,
+static void cell_meshes(const char *name, double scale, double k, bool floats, bool inside,
 			trial_ray *make, const struct limits *l)
 {
 	struct course c = course_of(scale, k, floats, next_seed());
 	struct tally tally = { 0 };
 	struct soup s;
 
+	if (!crew_claims())
+		return;
 	c.inside = inside;
-	c.unit = unit;
 	for (unsigned kind = BUMPY; kind <= BOX; kind++) {
 		make_soup(&s, kind, &c.seed);
 		soup_place(&s, scale, c.centre, floats);
@@ -259,21 +129,24 @@ static void cell_meshes(const char *name, double scale, double k, bool floats, b
 
 static void class_a(void)
 {
-	static const double scale[] = { 1e-6, 1e-3, 1, 1e3, 1e6 }, offset[] = { 1e3, 1e6, 1e8 };
+	static const struct {
+		double scale, away; /* of how many radii */
+	} at[] = {
+		{ 1e-6, 0 }, { 1e-4, 0 }, { 1e-2, 0 }, { 1, 0 }, { 1e2, 0 }, { 1e4, 0 }, { 1e6, 0 }, { 1, 1e3 },
+		{ 1e-6, 1e6 }, { 1, 1e6 }, { 1e6, 1e6 }, { 1e-6, 1e8 }, { 1, 1e8 }, { 1e6, 1e8 },
+	};
 	const struct limits l = { 0, 70, ANY, ANY };
 	char name[200];
 
 	for (unsigned d = 0; d < 2; d++) {
-		for (unsigned in = 0; in < 2; in++) {
-			for (unsigned i = 0; i < 8; i++) {
-				double s = i < 5 ? scale[i] : 1, k = i < 5 ? 0 : offset[i - 5];
+		for (unsigned i = 0; i < 2 * sizeof(at) / sizeof(at[0]); i++) {
+			double s = at[i / 2].scale, k = at[i / 2].away;
 
-				if (!d && k > 1e6) /* as floats the meshes collapse there */
-					continue;
-				snprintf(name, sizeof(name), "a: aimed, %s, from %s, scale %g, %g radii off",
-					 d ? "doubles" : "floats", in ? "inside" : "outside", s, k);
-				cell_meshes(name, s, k, !d, in, i % 2, ray_aimed, &l);
-			}
+			if (!d && k > 1e6) /* as floats the meshes collapse there */
+				continue;
+			snprintf(name, sizeof(name), "a: aimed, %s, from %s, scale %g, %g radii off",
+				 d ? "doubles" : "floats", i & 1 ? "inside" : "outside", s, k);
+			cell_meshes(name, s, k, !d, i & 1, ray_aimed, &l);
 		}
 	}
 }
@@ -282,8 +155,8 @@ static void class_r(void)
 {
 	const struct limits l = { 0, 0, 0, ANY };
 
-	cell_meshes("r: ordinary, floats", 1, 0, true, false, true, ray_ordinary, &l);
-	cell_meshes("r: ordinary, doubles, 1e6 radii off", 1, 1e6, false, false, true, ray_ordinary, &l);
+	cell_meshes("r: ordinary, floats", 1, 0, true, false, ray_ordinary, &l);
+	cell_meshes("r: ordinary, doubles, 1e6 radii off", 1, 1e6, false, false, ray_ordinary, &l);
 }
 
 static void cell_kind(const char *name, unsigned kind, int ulps, bool floats, trial_ray *make,
@@ -293,6 +166,8 @@ static void cell_kind(const char *name, unsigned kind, int ulps, bool floats, tr
 	struct tally tally = { 0 };
 	struct soup s;
 
+	if (!crew_claims())
+		return;
 	c.ulps = ulps;
 	make_soup(&s, kind, &c.seed);
 	soup_place(&s, 1, c.centre, floats);
@@ -309,6 +184,8 @@ static void class_b(void)
 	cell_kind("b: an ulp inside of a face, floats", BOX, -1, true, ray_in_plane, &few);
 	cell_kind("b: grazing, floats", BUMPY, 0, true, ray_grazing, &few);
 	cell_kind("b: in the plane of a face, doubles", BOX, 0, false, ray_in_plane, &told);
+	cell_kind("b: an ulp outside of a face, doubles", BOX, 1, false, ray_in_plane, &none);
+	cell_kind("b: an ulp inside of a face, doubles", BOX, -1, false, ray_in_plane, &told);
 	cell_kind("b: grazing, doubles", BUMPY, 0, false, ray_grazing, &told);
 }
 
@@ -328,6 +205,8 @@ static void cell_d(const char *name, vec stretch, bool needles, bool degenerates
 	struct tally tally = { 0 };
 	struct soup s;
 
+	if (!crew_claims())
+		return;
 	for (unsigned kind = BUMPY; kind <= BOX; kind++) {
 		s = (struct soup){ 0 };
 		if (needles)
@@ -374,6 +253,8 @@ static void cell_f(const char *name, double scale, double bad, unsigned shells, 
 	struct tally tally = { 0 };
 	struct soup s = { 0 };
 
+	if (!crew_claims())
+		return;
 	soup_bumpy(&s, 0.15, &c.seed);
 	soup_place(&s, scale, vec_make(0, 0, 0), true);
 	for (unsigned i = 0; i < 64 && bad != 0; i++) {
@@ -404,7 +285,7 @@ static void ray_bad(void *arg, uint32_t i, ald_ray *r)
 	if (i % 8 == 6)
 		r->dir = vec_make(0, -0.0, 0);
 	else if (i % 8 == 7)
-		r->tmin = 2, r->tmax = 1;
+		r->tmin = i & 8 ? 2 : i & 16 ? (double)NAN : 0, r->tmax = i & 8 || i & 16 ? 1 : (double)NAN;
 	else
 		(i & 1 ? &r->org.x : &r->dir.x)[i / 2 % 3] = bad[i / 8 % 3];
 }
@@ -440,7 +321,7 @@ static void ray_to_sheet(void *arg, uint32_t i, ald_ray *r)
 	vec to = vec_make(0.99 * random_signed(&s->c.seed), 0.99 * random_signed(&s->c.seed), s->height);
 	vec from = vec_make(random_signed(&s->c.seed), random_signed(&s->c.seed), i & 1 ? 2 * s->height : 0);
 
-	start(r);
+	ray_start(r);
 	r->org = kept_vec(&s->c, mat_point(&s->turn.fwd, from));
 	r->dir = kept_vec(&s->c, vec_sub(mat_point(&s->turn.fwd, to), r->org));
 }
@@ -452,6 +333,8 @@ static void cell_g(const char *name, double gap, bool turned, bool floats, const
 	struct tally tally = { 0 };
 	struct soup s = { 0 };
 
+	if (!crew_claims())
+		return;
 	g.turn = turned ? x : xform_identity;
 	soup_sheets(&s, g.height, gap);
 	soup_turn(&s, &g.turn.fwd);
@@ -466,8 +349,10 @@ static void class_g(void)
 	double ulp = (double)(nextafterf(10, 11) - 10);
 
 	cell_g("g: sheets a float's ulp apart", ulp, false, true, &none);
+	cell_g("g: sheets a float's ulp apart, turned, floats", ulp, true, true, &none);
 	cell_g("g: sheets 1e-5 apart, turned, floats", 1e-5, true, true, &none);
 	cell_g("g: sheets 1e-6 apart, turned, doubles", 1e-6, true, false, &none);
+	cell_g("g: sheets a float's ulp apart, turned, doubles", ulp, true, false, &none);
 	cell_g("g: sheets a double's ulp apart", nextafter(10, 11) - 10, false, false, &told);
 }
 
@@ -475,7 +360,7 @@ static void class_g(void)
 
 struct leaving {
 	struct trial trial;
-	uint64_t self, foreign, missed, n;
+	struct tally tally;
 };
 
 /* From where a ray of the course first hits, off along the normal by the error bound, as shading does it. */
@@ -485,7 +370,7 @@ static bool leave(struct leaving *e, struct course *c, ald_ray *r, struct surfac
 	ald_hit hit;
 	vec d;
 
-	ray_ordinary(c, 0, r);
+	ray_ordinary(c, (uint32_t)e->tally.rays, r);
 	trace_nearest(g, 0, r, &hit, 1, 0);
 	if (hit.prim == ALD_NONE)
 		return false;
@@ -495,7 +380,7 @@ static bool leave(struct leaving *e, struct course *c, ald_ray *r, struct surfac
 	} while (fabs(vec_dot(d, at->n)) <= 1e-3);
 	if ((vec_dot(d, at->n) < 0) != (vec_dot(r->dir, at->n) > 0))
 		d = vec_neg(d); /* to the side the ray came from */
-	start(r);
+	ray_start(r);
 	r->org = vec_mad(at->p, at->n, vec_dot(d, at->n) < 0 ? -at->error : at->error);
 	r->dir = d;
 	r->skip = at->planar ? hit.prim : ALD_NONE;
@@ -508,8 +393,8 @@ static void judge_leaving(struct leaving *e, uint32_t accel, const ald_ray *r, u
 	ald_hit hit;
 
 	trace_nearest(e->trial.geometry[accel], 0, r, &hit, 1, 0);
-	e->missed += wall && hit.prim == ALD_NONE;
-	e->foreign += hit.prim != ALD_NONE && trial_triangle(&e->trial, &hit) < own;
+	e->tally.missed += wall && hit.prim == ALD_NONE;
+	e->tally.foreign += hit.prim != ALD_NONE && trial_triangle(&e->trial, &hit) < own;
 }
 
 static void cell_e(const char *name, double scale, double k, double gap, bool floats)
@@ -518,8 +403,11 @@ static void cell_e(const char *name, double scale, double k, double gap, bool fl
 	struct leaving e = { 0 };
 	struct soup s = { 0 };
 	uint32_t own, own_id;
+	char line[200];
 	bool good;
 
+	if (!crew_claims())
+		return;
 	soup_bumpy(&s, 0, &c.seed);
 	own = s.triangles;
 	for (uint32_t i = 0; i < own && gap > 0; i++) {
@@ -540,7 +428,7 @@ static void cell_e(const char *name, double scale, double k, double gap, bool fl
 
 		if (!leave(&e, &c, &r, &at))
 			continue;
-		e.n++;
+		e.tally.rays++;
 		if (gap > 0) { /* on through the inner sheet */
 			r.org = vec_mad(at.p, at.n, vec_dot(r.dir, at.n) < 0 ? at.error : -at.error);
 			r.dir = vec_neg(r.dir);
@@ -550,27 +438,32 @@ static void cell_e(const char *name, double scale, double k, double gap, bool fl
 		own_id = r.skip;
 		r.skip = ALD_NONE; /* the error bound has to do alone */
 		trace_nearest(e.trial.geometry[0], 0, &r, &hit, 1, 0);
-		e.self += own_id != ALD_NONE && hit.prim == own_id;
+		e.tally.self += own_id != ALD_NONE && hit.prim == own_id;
 	}
-	good = good && e.n > rays / 2 && !e.self && !e.foreign && !e.missed;
-	printf("%sok %u - %s\n", good ? "" : "not ", ++tests, name);
-	printf("# %llu rays: own triangle, were it not skipped, %llu, others of the sheet %llu, wall missed %llu\n",
-	       (unsigned long long)e.n, (unsigned long long)e.self, (unsigned long long)e.foreign,
-	       (unsigned long long)e.missed);
-	failures += !good;
+	good = good && e.tally.rays > rays / 2 && !e.tally.self && !e.tally.foreign && !e.tally.missed;
+	snprintf(line, sizeof(line),
+		 "%llu rays: own triangle, were it not skipped, %llu, others of the sheet %llu, wall missed %llu",
+		 (unsigned long long)e.tally.rays, (unsigned long long)e.tally.self,
+		 (unsigned long long)e.tally.foreign, (unsigned long long)e.tally.missed);
+	crew_tell(name, &e.tally, good, line);
 	trial_end(&e.trial);
 	soup_release(&s);
 }
 
 static void class_e(void)
 {
-	static const double scale[] = { 1e-6, 1e-3, 1, 1e3, 1e6 }, offset[] = { 1e3, 1e5, 1e6 };
+	static const struct {
+		double scale, away; /* of how many radii */
+	} at[] = {
+		{ 1e-6, 0 }, { 1e-3, 0 }, { 1, 0 }, { 1e3, 0 }, { 1e6, 0 },
+		{ 1, 1e3 }, { 1, 1e5 }, { 1e-6, 1e6 }, { 1, 1e6 }, { 1e6, 1e6 },
+	};
 	static const double gap[] = { 0, 1e-2, 1e-4, 1e-6 };
 	char name[200];
 
-	for (unsigned i = 0; i < 8; i++) {
+	for (unsigned i = 0; i < sizeof(at) / sizeof(at[0]); i++) {
 		for (unsigned g = 0; g < 4; g++) {
-			double s = i < 5 ? scale[i] : 1, k = i < 5 ? 0 : offset[i - 5];
+			double s = at[i].scale, k = at[i].away;
 
 			snprintf(name, sizeof(name), "e: leaving a ball, scale %g, %g radii off, wall at %g radii", s,
 				 k, gap[g]);
@@ -587,19 +480,30 @@ static const struct {
 	{ 'e', class_e }, { 'f', class_f }, { 'g', class_g }, { 'r', class_r },
 };
 
+static void run_classes(void)
+{
+	for (unsigned i = 0; i < sizeof(classes) / sizeof(classes[0]); i++) {
+		if (strchr(want, classes[i].name))
+			classes[i].run();
+	}
+}
+
 int main(int argc, char **argv)
 {
 	static const char *const usual[] = { "octree", "box", "sphere", "none", NULL };
 	const char *accel[TRIAL_ACCELS + 1] = { NULL };
 	unsigned accels = 0;
-	const char *want = "abcdefgr";
+	unsigned processes = pool_cores();
+	bool good;
 	int c;
 
-	while ((c = getopt(argc, argv, "n:s:a:")) != -1) {
+	while ((c = getopt(argc, argv, "n:s:j:a:")) != -1) {
 		if (c == 'n')
 			rays = (uint32_t)strtoul(optarg, NULL, 10);
 		else if (c == 's')
 			first_seed = strtoull(optarg, NULL, 10);
+		else if (c == 'j')
+			processes = (unsigned)strtoul(optarg, NULL, 10);
 		else if (c == 'a' && accels < TRIAL_ACCELS)
 			accel[accels++] = optarg;
 		else
@@ -610,11 +514,7 @@ int main(int argc, char **argv)
 	if (!trial_tools_init(&tools, accels ? accel : usual))
 		return 1;
 	printf("# seed %llu, %u rays a cell\n", (unsigned long long)first_seed, rays);
-	for (unsigned i = 0; i < sizeof(classes) / sizeof(classes[0]); i++) {
-		if (strchr(want, classes[i].name))
-			classes[i].run();
-	}
-	printf("1..%u\n", tests);
+	good = crew_run(processes, run_classes);
 	trial_tools_release(&tools);
-	return failures > 0;
+	return !good;
 }

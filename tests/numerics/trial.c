@@ -136,6 +136,7 @@ static void judge(struct trial *t, const ald_ray *r, const ald_hit *hit, struct 
 		n->wrong_sheet += (trial_triangle(t, hit) < t->sheet) != (truth.tie[0] < t->sheet);
 	if (found && truth.hit && fabs(hit->t - truth.t) * length <= 1e-3 * t->diameter) {
 		n->neighbours += !truth_has(&truth, trial_triangle(t, hit));
+		n->wrong_ids += trial_triangle(t, hit) != truth.tie[0];
 		n->t_error = fmax(n->t_error, oracle_error(t->oracle, hit->t));
 		return;
 	}

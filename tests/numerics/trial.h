@@ -29,13 +29,17 @@ struct trial_tools { /* the same for all trials */
 	struct accel_choice choice[TRIAL_ACCELS];
 };
 
-struct tally {
+struct tally { /* counts, rays first and TALLY_COUNTS in all */
 	uint64_t rays, hits, leaks, through, ghosts, silhouettes, neighbours;
 	uint64_t unlike; /* an accelerator answered other bits than the first one */
+	uint64_t wrong_ids; /* of hits near the true depth: not the first of those that are really nearest */
 	uint64_t wrong_sheet;
 	uint64_t plain, unlike_plain; /* asked without the oracle's sieve too; answered otherwise then */
+	uint64_t self, foreign, missed; /* rays that leave surfaces: see leaving.c */
 	double t_error; /* the largest, of right hits */
 };
+
+#define TALLY_COUNTS (offsetof(struct tally, t_error) / sizeof(uint64_t))
 
 static inline uint64_t tally_hard(const struct tally *t)
 {

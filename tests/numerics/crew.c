@@ -146,7 +146,7 @@ bool crew_run(unsigned processes, void (*all)(void))
 	for (uint32_t i = 0; i < cells; i++) {
 		if (!board->cell[i].told) { /* then its process has died */
 			board->cell[i].told = true;
-			snprintf(board->cell[i].name, LINE, "cell %u was not finished", i + 1);
+			snprintf(board->cell[i].name, LINE, "Cell %u was not finished", i + 1);
 		}
 		bad += !board->cell[i].good;
 	}

@@ -5,9 +5,10 @@
  *
  *	judge [-n RAYS] [-s SEED] [-j PROCESSES] [-a ACCEL]... [CLASSES]
  *
- * RAYS a cell (3000); PROCESSES share the cells (as many as there are cores). Classes (all): a aimed at vertices and edges; b grazing and in the plane of faces; c along
- * axes; d needles and faces without area; e rays that leave surfaces; f extremes of size, and numbers that are
- * none; g sheets very close to each other; r ordinary ones.
+ * RAYS a cell (3000); PROCESSES share the cells (as many as there are cores). Classes (all): a aimed at vertices
+ * and edges; b grazing and in the plane of faces; c along axes; d needles and faces without area; e rays that
+ * leave surfaces; f extremes of size, and numbers that are none; g sheets very close to each other; r ordinary
+ * ones.
  */
 #include <float.h>
 #include <stdio.h>

@@ -97,7 +97,7 @@ static int flat_init(struct flat *f, const ald_host *host, const ald_prims *prim
 	flat_box(prims, 0, prims->count, &f->box);
 	if (!prims->count)
 		f->box = (ald_box){ { 0, 0, 0 }, { 0, 0, 0 } };
-	f->frame = ald_frame_of(&f->box);
+	f->frame = ald_frame_for(prims, &f->box);
 	f->range = host->alloc(host->ctx, (f->ranges + (size_t)1) * sizeof(*f->range), "volumes");
 	if (!f->range)
 		return ALD_NO_MEMORY;

@@ -331,7 +331,7 @@ static int make_root(struct builder *b)
 	}
 	if (!p->count)
 		a->box = (ald_box){ { 0, 0, 0 }, { 0, 0, 0 } };
-	a->frame = ald_frame_of(&a->box);
+	a->frame = ald_frame_for(p, &a->box);
 	for (unsigned k = 0; k < 3; k++) {
 		double lo = (&a->box.lo.x)[k], hi = (&a->box.hi.x)[k];
 

@@ -394,6 +394,8 @@ static enum status run_start(struct run *run)
 		return diag_fail(&run->diag, STATUS_FAILED, NULL, "could not start %u threads",
 				 s->threads ? s->threads : pool_cores());
 	st = accel_load(&run->accel, s->accel, &run->diag);
+	if (!st)
+		st = accel_set_precision(&run->accel, s->precision, &run->diag);
 	if (st)
 		return st;
 	accel_describe(&run->accel, run->accel_text, sizeof(run->accel_text));

@@ -10,14 +10,15 @@
 #include <math.h>
 #include <string.h>
 
+#include "alidade/accel.h"
 #include "read/limits.h"
 
 enum {
-	KEY_ALPHA = OPTION_LONG_ONLY, KEY_AA, KEY_BITS, KEY_BLUR_SAMPLES, KEY_CAMERA_ONLY, KEY_CLOCK,
-	KEY_CROP, KEY_DRY_RUN, KEY_ERROR_LAYER, KEY_INDIRECT, KEY_INDIRECT_ERROR, KEY_INDIRECT_SAMPLES,
-	KEY_LENIENT, KEY_LIMIT, KEY_LIST_ACCELS, KEY_MEMORY, KEY_PRINT_COMPLETION, KEY_PROGRESS, KEY_RANGE, KEY_SEED,
-	KEY_SKIP_EXISTING, KEY_SPP, KEY_STATS, KEY_TEXTURE_FILTER, KEY_TILE, KEY_VERIFY,
-	KEY_VERSION, KEY_WRITE
+	KEY_ALPHA = OPTION_LONG_ONLY, KEY_AA, KEY_BITS, KEY_BLUR_SAMPLES, KEY_CAMERA_ONLY,
+	KEY_CLOCK, KEY_CROP, KEY_DRY_RUN, KEY_ERROR_LAYER, KEY_INDIRECT, KEY_INDIRECT_ERROR,
+	KEY_INDIRECT_SAMPLES, KEY_LENIENT, KEY_LIMIT, KEY_LIST_ACCELS, KEY_MEMORY, KEY_PRECISION,
+	KEY_PRINT_COMPLETION, KEY_PROGRESS, KEY_RANGE, KEY_SEED, KEY_SKIP_EXISTING, KEY_SPP,
+	KEY_STATS, KEY_TEXTURE_FILTER, KEY_TILE, KEY_VERIFY, KEY_VERSION, KEY_WRITE
 };
 
 #define SPP_MAX (1u << 24)
@@ -88,6 +89,10 @@ static const struct option_spec alidade_option[] = {
 	  "Speed" },
 	{ "list-accels", KEY_LIST_ACCELS, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
 	  "list the accelerators that are installed, with their parameters, and exit", NULL },
+	{ "precision", KEY_PRECISION, OPTION_ARG, "HOW", COMPLETE_WORDS, "default exact fast",
+	  "which of two surfaces is nearer: default, by doubles; exact, however close they are; fast, by floats, "
+	  "with errors that show at edges",
+	  NULL },
 	{ "threads", 't', OPTION_ARG, "N", COMPLETE_NOTHING, NULL,
 	  "use N threads; otherwise one for each processor; the picture is the same", NULL },
 	{ "jobs", 'j', OPTION_ARG, "N", COMPLETE_NOTHING, NULL, NULL, NULL },
@@ -147,6 +152,7 @@ void settings_init(struct settings *s, struct mem_book *book)
 	memset(s, 0, sizeof(*s));
 	arena_init(&s->arena, book, "settings");
 	s->accel = "octree";
+	s->precision = ALD_PRECISION_DEFAULT;
 	s->render.aa_gamma = 2.5;
 	s->render.indirect = INDIRECT_EXACT;
 }
@@ -296,6 +302,20 @@ static enum status set_indirect(struct settings *s, const struct option_spec *o,
 		s->render.indirect = INDIRECT_OFF;
 	else
 		return wrong(d, o, value, "exact, cache or off");
+	return STATUS_OK;
+}
+
+static enum status set_precision(struct settings *s, const struct option_spec *o, const char *value,
+				 struct diag *d)
+{
+	if (!strcmp(value, "exact"))
+		s->precision = ALD_PRECISION_EXACT;
+	else if (!strcmp(value, "fast"))
+		s->precision = ALD_PRECISION_FAST;
+	else if (!strcmp(value, "default"))
+		s->precision = ALD_PRECISION_DEFAULT;
+	else
+		return wrong(d, o, value, "default, exact or fast");
 	return STATUS_OK;
 }
 
@@ -496,6 +516,8 @@ static enum status set_option(void *arg, const struct option_spec *o, const char
 		return s->render.texture_mip || !strcmp(value, "pov") ? STATUS_OK : wrong(d, o, value, "pov or mip");
 	case KEY_INDIRECT:
 		return set_indirect(s, o, value, d);
+	case KEY_PRECISION:
+		return set_precision(s, o, value, d);
 	case KEY_SEED:
 		return set_seed(s, o, value, d);
 	case KEY_BITS:

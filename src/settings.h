@@ -30,6 +30,7 @@ struct settings {
 	const char *scene; /* file name, "-" for standard input */
 	char *output; /* NULL until settings_finish() */
 	const char *accel; /* as for accel_load() */
+	uint32_t precision; /* ALD_PRECISION_... */
 	uint32_t threads;
 	uint32_t verify; /* one ray in so many is asked twice; 0: none */
 	uint64_t memory; /* bytes, 0: no limit */

@@ -11,6 +11,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "accel/load.h"
+
 /* The last part of path, with ending in place of its own. */
 static enum status name_after(struct settings *s, const char *path, const char *ending, struct diag *d)
 {
@@ -202,6 +204,8 @@ void settings_describe(const struct settings *s, char *out, size_t size)
 		n += snprintf(out + n, size - (size_t)n, " indirect samples %u", r->indirect_samples);
 	if (r->indirect_slack > 0 && n >= 0 && (size_t)n < size)
 		n += snprintf(out + n, size - (size_t)n, " indirect error %g", r->indirect_slack);
+	if (s->precision != ALD_PRECISION_DEFAULT && n >= 0 && (size_t)n < size)
+		n += snprintf(out + n, size - (size_t)n, " precision %s", accel_precision_name(s->precision));
 	if (r->error && n >= 0 && (size_t)n < size)
 		n += snprintf(out + n, size - (size_t)n, " error layer");
 	if (r->seed && n >= 0 && (size_t)n < size)

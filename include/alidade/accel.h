@@ -71,7 +71,7 @@ enum { ALD_PRECISION_DEFAULT = 1, ALD_PRECISION_EXACT = 2, ALD_PRECISION_FAST = 
 typedef struct ald_prims ald_prims;
 struct ald_prims { /* what to accelerate; owned by the host, outlives the ald_accel */
 	uint32_t size, count; /* sizeof(ald_prims) in the host; ids are 0 .. count-1, none is infinite */
-	uint32_t precision; /* the one wanted; EXACT: tri_count is 0, every decision is intersect()'s */
+	uint32_t precision; /* the one wanted; EXACT: make the frame with ald_frame_for() */
 	double pad; /* bounds() has grown its boxes by this (R4); volumes not made from them must too */
 	void (*bounds)(const ald_prims *, uint32_t id, ald_box *out); /* [any] */
 	/* If id is hit, counts, and wins by ald_wins(), store it in *hit and return 1; else touch

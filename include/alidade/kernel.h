@@ -11,8 +11,7 @@
  * Triangle: Woop, Benthin, Wald: Watertight Ray/Triangle Intersection, JCGT 2(1), 2013, in double, and where
  * that is in doubt Shewchuk: Adaptive Precision Floating-Point Arithmetic, Discrete Comput. Geom. 18, 1997.
  * Slabs: Ize: Robust BVH Ray Traversal, JCGT 2(2), 2013. Sphere: Haines, Guenther, Akenine-Moeller:
- * Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019. Overlap: Akenine-Moeller:
- * Fast 3D Triangle-Box Overlap Testing, 2001.
+ * Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019.
  */
 #ifndef ALIDADE_KERNEL_H
 #define ALIDADE_KERNEL_H
@@ -21,26 +20,12 @@
 #include <math.h>
 #include <string.h>
 
-#include "accel.h"
-
-#ifdef __FAST_MATH__
-#error "alidade/kernel.h: -ffast-math would make accelerators disagree"
-#endif
-#if defined __clang__
-#pragma STDC FP_CONTRACT OFF
-#endif
+#include "exact.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-#ifdef __GNUC__
-#define ALD_INLINE static inline __attribute__((always_inline, unused))
-#else
-#define ALD_INLINE static inline
-#endif
-
-#define ALD_U (DBL_EPSILON / 2) /* unit roundoff */
 #define ALD_INF ((double)INFINITY)
 #define ALD_NAN ((double)NAN)
 #define ALD_LANES 8u /* of the n-wide forms */
@@ -171,6 +156,7 @@ ALD_INLINE void ald_corners(const ald_prims *prims, uint32_t id, uint32_t group,
 typedef struct { /* a ball around everything: for the pads of far rays */
 	ald_vec centre;
 	double radius;
+	const ald_prims *exact; /* whose order is to be exact, or NULL */
 } ald_frame;
 
 ALD_INLINE ald_frame ald_frame_of(const ald_box *all)
@@ -182,6 +168,17 @@ ALD_INLINE ald_frame ald_frame_of(const ald_box *all)
 	f.centre.y = all->lo.y + y / 2;
 	f.centre.z = all->lo.z + z / 2;
 	f.radius = x + y + z; /* generous: the pad wants an upper bound */
+	f.exact = NULL;
+	return f;
+}
+
+/* The frame for a plugin's rays: with it ald_triangle() serves the precision that the host asked for. */
+ALD_INLINE ald_frame ald_frame_for(const ald_prims *prims, const ald_box *all)
+{
+	ald_frame f = ald_frame_of(all);
+
+	if (prims->precision == ALD_PRECISION_EXACT)
+		f.exact = prims;
 	return f;
 }
 
@@ -194,6 +191,7 @@ typedef struct {
 	double dd; /* d.d */
 	uint32_t kx, ky, kz; /* kz: axis of the largest component; the others follow in turn */
 	uint32_t sign[3]; /* 1: d goes down, so the near plane is hi */
+	const ald_prims *exact; /* the frame's */
 } ald_prep;
 
 /* Rays with a NaN or an infinity, a zero direction, or a magnitude beyond 2^+-400 hit no triangle. */
@@ -201,6 +199,7 @@ ALD_INLINE void ald_ray_prep(const ald_frame *f, const ald_ray *r, ald_prep *p)
 {
 	double size, fx, fy, fz, big;
 
+	p->exact = f->exact;
 	p->o[0] = r->org.x, p->o[1] = r->org.y, p->o[2] = r->org.z;
 	p->d[0] = r->dir.x, p->d[1] = r->dir.y, p->d[2] = r->dir.z;
 	fx = fabs(p->d[0]), fy = fabs(p->d[1]), fz = fabs(p->d[2]);
@@ -296,58 +295,8 @@ ALD_INLINE double ald_triangle_t(const ald_prep *p, const ald_vec *a, const ald_
 
 /* ---- signs without rounding, for the few rays that pass an edge closer than rounding can tell ---- */
 
-enum { ALD_TERMS = 104 }; /* of an expansion: components that don't overlap, the largest last */
-
-/* e += x, exactly (Shewchuk's GROW-EXPANSION, zeros left out). */
-ALD_INLINE void ald_expansion_add(double *e, uint32_t *n, double x)
-{
-	uint32_t kept = 0;
-
-	for (uint32_t i = 0; i < *n; i++) {
-		double s = x + e[i], v = s - x, tail = (x - (s - v)) + (e[i] - v);
-
-		x = s;
-		if (tail != 0)
-			e[kept++] = tail;
-	}
-	if (x != 0)
-		e[kept++] = x;
-	*n = kept;
-}
-
-/* a * b as high + *low, exactly (Dekker, Veltkamp): no fma, for it is not everywhere. */
-ALD_INLINE double ald_product(double a, double b, double *low)
-{
-	double p = a * b, ca = 0x1.0000002p27 * a, cb = 0x1.0000002p27 * b;
-	double ah = ca - (ca - a), bh = cb - (cb - b), al = a - ah, bl = b - bh;
-
-	*low = al * bl - (((p - ah * bh) - al * bh) - ah * bl);
-	return p;
-}
-
-/* e += a * b * c, exactly. */
-ALD_INLINE void ald_expansion_product(double *e, uint32_t *n, double a, double b, double c)
-{
-	double low, high, tail;
-
-	if (a == 0 || b == 0 || c == 0)
-		return;
-	high = ald_product(a, b, &low);
-	high = ald_product(high, c, &tail);
-	ald_expansion_add(e, n, tail);
-	ald_expansion_add(e, n, high);
-	if (low != 0) {
-		high = ald_product(low, c, &tail);
-		ald_expansion_add(e, n, tail);
-		ald_expansion_add(e, n, high);
-	}
-}
-
 /* d . ((b - o) x (c - o)), of the exact sign and rounded but for the last bits. d is scaled to 1 first. */
-#ifdef __GNUC__
-__attribute__((noinline, cold, unused))
-#endif
-static double ald_exact_volume(const ald_prep *p, const ald_vec *b, const ald_vec *c)
+ALD_RARE double ald_exact_volume(const ald_prep *p, const ald_vec *b, const ald_vec *c)
 {
 	double e[ALD_TERMS], d[3], q[2][3][2], sum = 0;
 	uint32_t n = 0;
@@ -431,15 +380,15 @@ ALD_INLINE int ald_exact_weights(const ald_prep *p, const ald_vec *a, const ald_
 	return w[0] != 0 || w[1] != 0 || w[2] != 0;
 }
 
-/* R1: does the line of the ray meet the closed triangle? *t, *u, *v (weights of b and c) if so. Exact: what
- * rounding leaves open is decided without it, so that lines through edges and corners meet all triangles
- * there, and a line in the plane of a triangle misses it.
+/* R1: does the line of the ray meet the closed triangle? The weights of its corners and their sum if so.
+ * Exact: what rounding leaves open is decided without it, so that lines through edges and corners meet all
+ * triangles there, and a line in the plane of a triangle misses it.
  *
  * The bound: with u the roundoff and M = p->pad / 16 u, which is more than any coordinate relative to the
  * origin, the sheared ones (of slopes up to 1) are off by at most 6 u M, and so a weight, a sum of two
  * products of two of them, by less than 16 u M times the sum of the six. */
-ALD_INLINE int ald_triangle_line(const ald_prep *p, const ald_vec *a, const ald_vec *b,
-				 const ald_vec *c, double *t, double *u, double *v)
+ALD_INLINE int ald_triangle_weights(const ald_prep *p, const ald_vec *a, const ald_vec *b, const ald_vec *c,
+				    double w[3], double *sum)
 {
 	double az = ald_get(a, p->kz) - p->o[p->kz];
 	double bz = ald_get(b, p->kz) - p->o[p->kz];
@@ -450,17 +399,27 @@ ALD_INLINE int ald_triangle_line(const ald_prep *p, const ald_vec *a, const ald_
 	double by = (ald_get(b, p->ky) - p->o[p->ky]) - p->shear[1] * bz;
 	double cx = (ald_get(c, p->kx) - p->o[p->kx]) - p->shear[0] * cz;
 	double cy = (ald_get(c, p->ky) - p->o[p->ky]) - p->shear[1] * cz;
-	double w[3] = { cx * by - cy * bx, ax * cy - ay * cx, bx * ay - by * ax };
 	double e = p->pad * (((fabs(ax) + fabs(ay)) + (fabs(bx) + fabs(by))) + (fabs(cx) + fabs(cy)));
-	double det;
 
+	w[0] = cx * by - cy * bx;
+	w[1] = ax * cy - ay * cx;
+	w[2] = bx * ay - by * ax;
 	if (!(w[0] >= -e && w[1] >= -e && w[2] >= -e) && !(w[0] <= e && w[1] <= e && w[2] <= e))
 		return 0;
 	if (!(w[0] > e && w[1] > e && w[2] > e) && !(w[0] < -e && w[1] < -e && w[2] < -e) &&
 	    !(e <= DBL_MAX && ald_exact_weights(p, a, b, c, w)))
 		return 0;
-	det = w[0] + w[1] + w[2];
-	if (!(det != 0 && fabs(det) <= DBL_MAX))
+	*sum = w[0] + w[1] + w[2];
+	return *sum != 0 && fabs(*sum) <= DBL_MAX;
+}
+
+/* The same, and where: *t, *u, *v (weights of b and c). */
+ALD_INLINE int ald_triangle_line(const ald_prep *p, const ald_vec *a, const ald_vec *b,
+				 const ald_vec *c, double *t, double *u, double *v)
+{
+	double w[3], det;
+
+	if (!ald_triangle_weights(p, a, b, c, w, &det))
 		return 0;
 	*t = ald_triangle_t(p, a, b, c);
 	*u = w[1] / det;
@@ -477,21 +436,144 @@ ALD_INLINE int ald_counts(const ald_ray *r, double t, uint32_t id, const ald_hit
 	return ald_wins(t, id, hit);
 }
 
-/* The whole of prims->intersect() for a triangle with these corners, ald_sees() apart. */
-ALD_INLINE int ald_triangle(const ald_prep *p, const ald_ray *r, const ald_vec v[3], uint32_t id,
-			    ald_hit *hit)
-{
-	double t, a, b;
+/* ---- the exact order (ALD_PRECISION_EXACT): t is a fraction, and compared as one ---- */
 
-	if (!ald_triangle_line(p, &v[0], &v[1], &v[2], &t, &a, &b) || !ald_counts(r, t, id, hit))
+/* While a ray is under way, *hit of a triangle holds bounds on its t: u <= t, and hit->t >= it, so that volumes
+ * are culled late (R3). The host rounds t and computes u and v of the winner. */
+
+/* The bounds, from the triangle's plane: with u the roundoff, the normal's components, differences of two
+ * products of two differences, are off by less than 5 u N, N the sum of the products' sizes; so n . (a - o) by
+ * less than 9 u U and n . d by less than 8 u W, where U and W are the sums of N |a - o| and N |d|. And from its
+ * box, whose distances take three roundings. */
+ALD_INLINE void ald_triangle_span(const ald_prep *p, const ald_vec v[3], double *lo, double *hi)
+{
+	const double *a = &v[0].x, *b = &v[1].x, *c = &v[2].x;
+	double up = 0, across = 0, of_up = 0, of_across = 0, t0 = -ALD_INF, t1 = ALD_INF, t, off;
+
+	for (unsigned k = 0; k < 3; k++) {
+		unsigned i = k == 2 ? 0 : k + 1, j = i == 2 ? 0 : i + 1;
+		double x = (b[i] - a[i]) * (c[j] - a[j]), y = (b[j] - a[j]) * (c[i] - a[i]);
+		double n = x - y, size = fabs(x) + fabs(y), q = a[k] - p->o[k];
+		double low = ald_min(ald_min(a[k], b[k]), c[k]), high = ald_max(ald_max(a[k], b[k]), c[k]);
+
+		up += n * q;
+		across += n * p->d[k];
+		of_up += size * fabs(q);
+		of_across += size * fabs(p->d[k]);
+		t0 = ald_max(((p->sign[k] ? high : low) - p->o[k]) * p->inv[k], t0);
+		t1 = ald_min(((p->sign[k] ? low : high) - p->o[k]) * p->inv[k], t1);
+	}
+	*lo = t0 - (8 * ALD_U * fabs(t0) + DBL_MIN);
+	*hi = t1 + (8 * ALD_U * fabs(t1) + DBL_MIN);
+	if (!(fabs(across) > 32 * ALD_U * of_across && of_across > 0x1p-900 && of_up > 0x1p-900))
+		return;
+	t = up / across;
+	off = 16 * ALD_U * (of_up + of_across * fabs(t)) / (fabs(across) - 16 * ALD_U * of_across);
+	off += 4 * ALD_U * fabs(t) + DBL_MIN;
+	*lo = ald_max(t - off, *lo);
+	*hi = ald_min(t + off, *hi);
+}
+
+/* Do they lie in one plane across an axis? Then they are met at one t. */
+ALD_INLINE int ald_same_level(const ald_vec v[3], const ald_vec w[3])
+{
+	for (unsigned k = 0; k < 3; k++) {
+		double x = ald_get(&v[0], k);
+
+		if (ald_get(&v[1], k) == x && ald_get(&v[2], k) == x && ald_get(&w[0], k) == x &&
+		    ald_get(&w[1], k) == x && ald_get(&w[2], k) == x)
+			return 1;
+	}
+	return 0;
+}
+
+/* The sign of the t of v less that of triangle id. */
+ALD_RARE int ald_exact_order(const ald_prep *p, const ald_vec v[3], uint32_t id)
+{
+	ald_ratio x, y;
+	ald_vec w[3];
+
+	ald_corners(p->exact, id, p->exact->origin ? ald_group_of(p->exact, id) : 0, w);
+	if (ald_same_level(v, w))
 		return 0;
-	hit->t = t;
-	hit->u = a;
-	hit->v = b;
+	ald_ratio_of(p->o, p->d, v, &x);
+	ald_ratio_of(p->o, p->d, w, &y);
+	return ald_ratio_compare(&x, &y);
+}
+
+/* The sign of the t of v less a number. */
+ALD_RARE int ald_exact_against(const ald_prep *p, const ald_vec v[3], double t)
+{
+	ald_ratio x;
+
+	ald_ratio_of(p->o, p->d, v, &x);
+	return ald_ratio_against(&x, t, t);
+}
+
+/* ald_triangle() of a triangle that the line meets. */
+ALD_APART int ald_exact_triangle(const ald_prep *p, const ald_ray *r, const ald_vec v[3], uint32_t id,
+				 ald_hit *hit)
+{
+	uint32_t tris = p->exact->tri_count;
+	double lo, hi;
+	int sign;
+
+	if (id == hit->prim || id == r->after)
+		return 0;
+	ald_triangle_span(p, v, &lo, &hi);
+	if (lo > hit->t || hi < r->tmin)
+		return 0;
+	if (!(lo > (r->after == ALD_NONE ? r->tmin : ald_up(r->tmin)))) {
+		sign = r->after < tris ? ald_exact_order(p, v, r->after) : ald_exact_against(p, v, r->tmin);
+		if (sign < 0 || (sign == 0 && (r->after == ALD_NONE || id < r->after)))
+			return 0;
+	}
+	if (!(hi < (hit->prim < tris ? hit->u : hit->t))) {
+		sign = hit->prim < tris ? ald_exact_order(p, v, hit->prim) : ald_exact_against(p, v, hit->t);
+		if (sign > 0 || (sign == 0 && id > hit->prim))
+			return 0;
+	}
+	hit->t = hi;
+	hit->u = lo;
+	hit->v = 0;
 	hit->prim = id;
 	hit->part = 0;
 	hit->sub[0] = hit->sub[1] = 0;
 	return 1;
+}
+
+/* The whole of prims->intersect() for a triangle with these corners, ald_sees() apart. */
+ALD_INLINE int ald_triangle(const ald_prep *p, const ald_ray *r, const ald_vec v[3], uint32_t id,
+			    ald_hit *hit)
+{
+	double w[3], det, t;
+
+	if (!ald_triangle_weights(p, &v[0], &v[1], &v[2], w, &det))
+		return 0;
+	if (p->exact)
+		return ald_exact_triangle(p, r, v, id, hit);
+	t = ald_triangle_t(p, &v[0], &v[1], &v[2]);
+	if (!ald_counts(r, t, id, hit))
+		return 0;
+	hit->t = t;
+	hit->u = w[1] / det;
+	hit->v = w[2] / det;
+	hit->prim = id;
+	hit->part = 0;
+	hit->sub[0] = hit->sub[1] = 0;
+	return 1;
+}
+
+/* For the host: t, u and v of the triangle that has won, whose corners are v. */
+ALD_INLINE void ald_exact_settle(const ald_prep *p, const ald_vec v[3], ald_hit *hit)
+{
+	double w[3], det;
+
+	if (!ald_triangle_weights(p, &v[0], &v[1], &v[2], w, &det))
+		return;
+	hit->t = ald_exact_t(p->o, p->d, v);
+	hit->u = w[1] / det;
+	hit->v = w[2] / det;
 }
 
 /* Corners of ALD_LANES triangles, by axis: [corner][axis][lane]. Fill unused lanes with NaN. */
@@ -602,62 +684,10 @@ ALD_INLINE uint32_t ald_rays_triangle(const ald_rays *s, const ald_vec v[3])
 	return bits;
 }
 
-/* ---- does a triangle touch a closed box? ---- */
-
-/* Is the axis (x, y, z) surely separating corners q (relative to the box's centre) from half sizes h? */
-ALD_INLINE int ald_separates(double x, double y, double z, const double q[3][3], const double h[3])
-{
-	double reach = h[0] * fabs(x) + h[1] * fabs(y) + h[2] * fabs(z);
-	double lo = ALD_INF, hi = -ALD_INF, size = reach;
-
-	for (unsigned k = 0; k < 3; k++) {
-		double s = q[k][0] * x + q[k][1] * y + q[k][2] * z;
-
-		size += fabs(q[k][0] * x) + fabs(q[k][1] * y) + fabs(q[k][2] * z);
-		lo = ald_min(s, lo);
-		hi = ald_max(s, hi);
-	}
-	size *= 16 * ALD_U;
-	return lo > reach + size || hi < -reach - size;
-}
-
-/* 0 only if they surely have no point in common, by the 13 axes; rounding errs towards 1, by some 16
- * roundoffs of the sizes met. */
-ALD_INLINE int ald_triangle_box(const ald_vec v[3], const ald_box *b)
-{
-	double cx = b->lo.x + (b->hi.x - b->lo.x) / 2, cy = b->lo.y + (b->hi.y - b->lo.y) / 2;
-	double cz = b->lo.z + (b->hi.z - b->lo.z) / 2;
-	double far = fabs(cx) + fabs(cy) + fabs(cz);
-	double h[3], q[3][3], e[3][3];
-
-	/* Moving to the centre rounds: half sizes grow by that. */
-	for (unsigned k = 0; k < 3; k++) {
-		q[k][0] = v[k].x - cx, q[k][1] = v[k].y - cy, q[k][2] = v[k].z - cz;
-		far = ald_max(fabs(v[k].x) + fabs(v[k].y) + fabs(v[k].z), far);
-	}
-	far *= 8 * ALD_U;
-	h[0] = ald_max(b->hi.x - cx, cx - b->lo.x) + far;
-	h[1] = ald_max(b->hi.y - cy, cy - b->lo.y) + far;
-	h[2] = ald_max(b->hi.z - cz, cz - b->lo.z) + far;
-	if (ald_separates(1, 0, 0, q, h) || ald_separates(0, 1, 0, q, h) ||
-	    ald_separates(0, 0, 1, q, h))
-		return 0;
-	for (unsigned k = 0; k < 3; k++) {
-		unsigned n = k == 2 ? 0 : k + 1;
-
-		for (unsigned j = 0; j < 3; j++)
-			e[k][j] = q[n][j] - q[k][j];
-		if (ald_separates(0, -e[k][2], e[k][1], q, h) ||
-		    ald_separates(e[k][2], 0, -e[k][0], q, h) ||
-		    ald_separates(-e[k][1], e[k][0], 0, q, h))
-			return 0;
-	}
-	return !ald_separates(e[0][1] * e[1][2] - e[0][2] * e[1][1],
-			      e[0][2] * e[1][0] - e[0][0] * e[1][2],
-			      e[0][0] * e[1][1] - e[0][1] * e[1][0], q, h);
-}
-
 #ifdef __cplusplus
 }
 #endif
+
+#include "overlap.h"
+
 #endif

@@ -138,7 +138,7 @@ static int mine_build(const ald_host *host, const ald_prims *prims, const double
 	for (uint32_t i = 0; i < n; i++)
 		a->id[i] = item[i].id;
 	if (n)
-		a->frame = ald_frame_of(&a->node[0].box);
+		a->frame = ald_frame_for(prims, &a->node[0].box);
 	host->free(host->ctx, item);
 	*out = a;
 	return ALD_OK;

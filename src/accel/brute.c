@@ -26,7 +26,7 @@ static int brute_build(const ald_host *host, const ald_prims *prims, const doubl
 		prims->bounds(prims, i, &b);
 		ald_box_join(&all, &b);
 	}
-	*a = (ald_accel){ host, prims, ald_frame_of(&all) };
+	*a = (ald_accel){ host, prims, ald_frame_for(prims, &all) };
 	*out = a;
 	return ALD_OK;
 }
@@ -70,7 +70,7 @@ const ald_accel_plugin accel_brute = {
 	.version = "1",
 	.license = "Apache-2.0",
 	.summary = "every primitive, one after the other",
-	.precisions = ALD_PRECISION_DEFAULT,
+	.precisions = ALD_PRECISION_DEFAULT | ALD_PRECISION_EXACT,
 	.build = brute_build,
 	.intersect = brute_intersect,
 	.destroy = brute_destroy,

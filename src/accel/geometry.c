@@ -28,11 +28,10 @@ static void show_level(struct view *v, const struct geometry *g, const struct pr
 {
 	v->geometry = g;
 	v->level = l;
-	v->frame = ald_frame_of(&l->box);
 	v->prims = (ald_prims){
 		.size = sizeof(ald_prims),
 		.count = l->count,
-		.precision = ALD_PRECISION_DEFAULT,
+		.precision = g->precision,
 		.pad = l->pad,
 		.bounds = view_bounds,
 		.intersect = view_intersect,
@@ -45,6 +44,7 @@ static void show_level(struct view *v, const struct geometry *g, const struct pr
 		.index = l->index,
 		.vertex = l->vertex,
 	};
+	v->frame = ald_frame_for(&v->prims, &l->box);
 }
 
 static enum status refuse(const struct geometry *g, int result, const ald_error *err, struct diag *diag)
@@ -129,6 +129,7 @@ enum status geometry_build(struct geometry **out, const struct scene *scene,
 	g->book = book;
 	g->threads = pool_threads(pool);
 	g->plugin = choice && choice->plugin ? choice->plugin : &accel_brute;
+	g->precision = choice && choice->precision ? choice->precision : ALD_PRECISION_DEFAULT;
 	accel_host_init(&g->host, book, pool, diag, g->plugin->name);
 	st = prim_compile(&g->set, scene, book, diag);
 	if (!st) {

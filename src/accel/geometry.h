@@ -37,6 +37,7 @@ struct worker { /* one per thread; nothing here is shared */
 
 struct geometry {
 	struct prim_set set;
+	uint32_t precision; /* ALD_PRECISION_... */
 	struct mem_book *book;
 	const ald_accel_plugin *plugin;
 	struct accel_host host;
@@ -52,6 +53,10 @@ struct geometry {
 /* prims->bounds(), intersect() and intersect_n(), of instance.c. */
 void view_bounds(const ald_prims *, uint32_t id, ald_box *);
 int view_intersect(const ald_prims *, uint32_t id, ald_query *, const ald_ray *, ald_hit *);
+/* Round t and compute u and v of a hit that a plugin found, where it was asked for the exact order. */
+void view_settle(const struct view *, const ald_ray *, ald_hit *);
+/* What the plugin finds in a level, settled. */
+void view_nearest(const struct view *, struct worker *, const ald_ray *, ald_hit *);
 void view_intersect_n(const ald_prims *, uint32_t id, ald_query *, const ald_ray *, ald_hit *,
 		      const uint8_t *live, uint32_t n);
 

@@ -42,7 +42,7 @@ bool mesh_holds(const struct geometry *g, struct worker *w, const struct prim_le
 	const struct mesh *m = &g->set.scene->mesh[f->mesh];
 	vec at = mat_point(&f->place.inv, vec_add(vec_scale(level, 1 / world->scale), world->shift));
 	const double *d = &m->inside.x;
-	ald_frame frame = { at, 0 };
+	ald_frame frame = { at, 0, NULL };
 	ald_ray ray = { .org = at, .dir = m->inside };
 	bool odd = false;
 	ald_prep p;
@@ -62,7 +62,7 @@ bool mesh_holds(const struct geometry *g, struct worker *w, const struct prim_le
 		ald_hit hit = { .t = ALD_INF, .prim = ALD_NONE };
 		uint32_t face;
 
-		g->plugin->intersect(g->view[f->level].accel, &w->query[f->level].q, &ray, &hit);
+		view_nearest(&g->view[f->level], w, &ray, &hit);
 		if (hit.prim == ALD_NONE)
 			return odd;
 		view_leaf(&g->set.level[f->level], hit.prim, &face);

@@ -35,16 +35,17 @@ void view_bounds(const ald_prims *prims, uint32_t id, ald_box *out)
 	out->hi = vec_add(out->hi, vec_make(l->pad, l->pad, l->pad));
 }
 
-/* The ray in the inner level; t is the same number there. A next-hit walk inside this instance goes on
+/* The ray in the inner level; t is the same number there. In exact order it is asked up to the next number, as
+ * the t of a hit inside may be rounded down to tmax. A next-hit walk inside this instance goes on
  * where it was; in one with a greater id hits at tmin itself count, in one with a smaller id they have
  * been seen. */
-static void inner_ray(const struct prim_instance *p, uint32_t id, const ald_ray *r, const ald_hit *hit,
-		      ald_ray *in, ald_hit *found)
+static void inner_ray(const struct prim_instance *p, uint32_t id, const ald_ray *r, double tmax, ald_ray *in,
+		      ald_hit *found)
 {
 	*in = *r;
 	in->org = mat_dir(&p->to, vec_sub(r->org, p->centre));
 	in->dir = mat_dir(&p->to, r->dir);
-	in->tmax = hit->t;
+	in->tmax = tmax;
 	in->skip = ALD_NONE;
 	in->after = ALD_NONE;
 	if (r->after == id)
@@ -54,9 +55,57 @@ static void inner_ray(const struct prim_instance *p, uint32_t id, const ald_ray 
 	*found = (ald_hit){ .t = in->tmax, .prim = ALD_NONE };
 }
 
-static int take_inner(uint32_t id, const ald_hit *found, ald_hit *hit)
+static bool exact(const struct view *v)
 {
-	if (found->prim == ALD_NONE || !ald_wins(found->t, id, hit))
+	return v->prims.precision == ALD_PRECISION_EXACT;
+}
+
+void view_settle(const struct view *v, const ald_ray *r, ald_hit *hit)
+{
+	ald_prep prep;
+	vec c[3];
+
+	if (!exact(v) || hit->prim >= v->prims.tri_count)
+		return;
+	ald_ray_prep(&v->frame, r, &prep);
+	prim_triangle(v->level, hit->prim, c);
+	ald_exact_settle(&prep, c, hit);
+}
+
+void view_nearest(const struct view *v, struct worker *w, const ald_ray *r, ald_hit *hit)
+{
+	v->geometry->plugin->intersect(v->accel, &w->query[v - v->geometry->view].q, r, hit);
+	view_settle(v, r, hit);
+}
+
+/* The sign of the t of a triangle of the level less a number. */
+static int triangle_against(const struct view *v, const ald_ray *r, uint32_t id, double t)
+{
+	ald_prep prep;
+	vec c[3];
+
+	ald_ray_prep(&v->frame, r, &prep);
+	prim_triangle(v->level, id, c);
+	return ald_exact_against(&prep, c, t);
+}
+
+/* Is another primitive's hit, whose t is a number, before the one so far, which in exact order may be a
+ * triangle with bounds on its t? */
+static bool beats(const struct view *v, const ald_ray *r, double t, uint32_t id, const ald_hit *best)
+{
+	int sign;
+
+	if (!ald_wins(t, id, best))
+		return false;
+	if (!exact(v) || best->prim >= v->prims.tri_count || t < best->u)
+		return true;
+	sign = triangle_against(v, r, best->prim, t);
+	return sign > 0 || (sign == 0 && id < best->prim);
+}
+
+static int take_inner(const struct view *v, const ald_ray *r, uint32_t id, const ald_hit *found, ald_hit *hit)
+{
+	if (found->prim == ALD_NONE || !beats(v, r, found->t, id, hit))
 		return 0;
 	*hit = (ald_hit){ .t = found->t, .u = found->u, .v = found->v, .prim = id,
 			  .sub = { found->prim, found->part } };
@@ -69,37 +118,44 @@ static const struct prim_instance *instance_of(const struct view *v, uint32_t id
 	return &v->level->instance[id];
 }
 
+static double inner_end(const struct view *v, const ald_hit *hit)
+{
+	return exact(v) ? ald_up(hit->t) : hit->t;
+}
+
+/* Inside, t is a fraction; here the number nearest to it, which may have been seen already. */
+static bool too_near(const struct view *v, const ald_ray *r, uint32_t id, const ald_hit *found)
+{
+	return exact(v) && found->prim != ALD_NONE &&
+	       !(found->t > r->tmin || (found->t == r->tmin && r->after != ALD_NONE && id >= r->after));
+}
+
 static int intersect_instance(const struct view *v, uint32_t id, ald_query *q, const ald_ray *r,
 			      ald_hit *hit)
 {
 	const struct prim_instance *p = instance_of(v, id);
-	const struct geometry *g = v->geometry;
 	struct worker *w = ((struct query *)q)->worker;
 	ald_ray in;
 	ald_hit found;
 
-	inner_ray(p, id, r, hit, &in, &found);
+	inner_ray(p, id, r, inner_end(v, hit), &in, &found);
 	for (;;) {
-		g->plugin->intersect(g->view[p->level].accel, &w->query[p->level].q, &in, &found);
-		if (found.prim == ALD_NONE || p->node == SCENE_NONE || csg_shows(v, w, p->node, r, found.t))
+		view_nearest(&v->geometry->view[p->level], w, &in, &found);
+		if (found.prim == ALD_NONE || (!too_near(v, r, id, &found) &&
+					       (p->node == SCENE_NONE || csg_shows(v, w, p->node, r, found.t))))
 			break;
 		trace_after(&in, &found);
 		found = (ald_hit){ .t = in.tmax, .prim = ALD_NONE };
 	}
-	return take_inner(id, &found, hit);
+	return take_inner(v, r, id, &found, hit);
 }
 
-int view_intersect(const ald_prims *prims, uint32_t id, ald_query *q, const ald_ray *r, ald_hit *hit)
+static int intersect_other(const struct view *v, uint32_t id, ald_query *q, const ald_ray *r, ald_hit *hit)
 {
-	const struct view *v = (const struct view *)prims;
 	const struct prim_level *l = v->level;
 	const struct prim_piece *piece;
 	uint32_t i = id;
-	ald_prep prep;
-	vec c[3];
 
-	if (!ald_sees(prims, r, id))
-		return 0;
 	switch (prim_level_id(l, &i)) {
 	case PRIM_INSTANCE:
 		return intersect_instance(v, id, q, r, hit);
@@ -116,8 +172,53 @@ int view_intersect(const ald_prims *prims, uint32_t id, ald_query *q, const ald_
 	case PRIM_TRIANGLE:
 		break;
 	}
+	return 0;
+}
+
+/* The same, where the ray goes on behind a triangle, or has met one, and the order is exact: tmin is the nearest
+ * number to where the triangle is, so a hit at tmin may be on either side. */
+static int intersect_exactly(const struct view *v, uint32_t id, ald_query *q, const ald_ray *r, ald_hit *hit)
+{
+	bool behind = r->after < v->prims.tri_count;
+	ald_hit found = *hit;
+	ald_ray mine = *r;
+	int sign;
+
+	if (behind) {
+		mine.tmin = ald_down(r->tmin);
+		mine.after = ALD_NONE;
+	}
+	if (!intersect_other(v, id, q, &mine, &found))
+		return 0;
+	if (behind && found.t == r->tmin) {
+		sign = triangle_against(v, r, r->after, r->tmin);
+		if (sign > 0 || (sign == 0 && id < r->after)) {
+			mine.tmin = r->tmin;
+			found = *hit;
+			if (!intersect_other(v, id, q, &mine, &found))
+				return 0;
+		}
+	}
+	if (!beats(v, r, found.t, id, hit))
+		return 0;
+	*hit = found;
+	return 1;
+}
+
+int view_intersect(const ald_prims *prims, uint32_t id, ald_query *q, const ald_ray *r, ald_hit *hit)
+{
+	const struct view *v = (const struct view *)prims;
+	uint32_t tris = prims->tri_count;
+	ald_prep prep;
+	vec c[3];
+
+	if (!ald_sees(prims, r, id))
+		return 0;
+	if (id >= tris)
+		return (exact(v) && (r->after < tris || hit->prim < tris) ? intersect_exactly :
+									   intersect_other)(v, id, q, r, hit);
 	ald_ray_prep(&v->frame, r, &prep);
-	prim_triangle(l, id, c);
+	prim_triangle(v->level, id, c);
 	return ald_triangle(&prep, r, c, id, hit);
 }
 
@@ -131,15 +232,27 @@ static void intersect_instance_n(const struct view *v, uint32_t id, ald_query *q
 
 	for (uint32_t i = 0; i < n || m; i++) {
 		if (i < n && live[i] && ald_sees(&v->prims, &r[i], id)) {
-			inner_ray(p, id, &r[i], &hit[i], &w->inner_ray[m], &w->inner_hit[m]);
-			w->slot[m++] = i;
+			if (r[i].after < v->prims.tri_count && exact(v)) {
+				view_intersect(&v->prims, id, q, &r[i], &hit[i]);
+			} else {
+				inner_ray(p, id, &r[i], inner_end(v, &hit[i]), &w->inner_ray[m],
+					  &w->inner_hit[m]);
+				w->slot[m++] = i;
+			}
 		}
 		if (m < TRACE_BATCH && i + 1 < n)
 			continue;
 		accel_nearest_n(g->plugin, g->view[p->level].accel, &w->query[p->level].q, w->inner_ray,
 				w->inner_hit, m, 0);
-		for (uint32_t k = 0; k < m; k++)
-			take_inner(id, &w->inner_hit[k], &hit[w->slot[k]]);
+		for (uint32_t k = 0; k < m; k++) {
+			uint32_t at = w->slot[k];
+
+			view_settle(&g->view[p->level], &w->inner_ray[k], &w->inner_hit[k]);
+			if (too_near(v, &r[at], id, &w->inner_hit[k]))
+				view_intersect(&v->prims, id, q, &r[at], &hit[at]);
+			else
+				take_inner(v, &r[at], id, &w->inner_hit[k], &hit[at]);
+		}
 		m = 0;
 	}
 }

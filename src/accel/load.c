@@ -416,6 +416,40 @@ enum status accel_list(void (*visit)(void *arg, const struct accel_choice *), vo
 	return st;
 }
 
+const char *accel_precision_name(uint32_t precision)
+{
+	return precision == ALD_PRECISION_EXACT ? "exact" : precision == ALD_PRECISION_FAST ? "fast" : "default";
+}
+
+struct serving { /* a list of those that serve a precision */
+	uint32_t precision;
+	struct text names;
+};
+
+static void add_serving(void *arg, const struct accel_choice *c)
+{
+	struct serving *s = arg;
+
+	if (c->plugin->precisions & s->precision)
+		text_add(&s->names, "%s%s", s->names.used ? ", " : "", c->plugin->name);
+}
+
+enum status accel_set_precision(struct accel_choice *c, uint32_t precision, struct diag *d)
+{
+	struct serving s = { .precision = precision };
+	enum status st;
+
+	c->precision = precision;
+	if (c->plugin->precisions & precision)
+		return STATUS_OK;
+	st = accel_list(add_serving, &s, d);
+	return st ? st :
+		    diag_fail(d, STATUS_ACCEL, NULL,
+			      "accelerator %s: it does not serve --precision=%s; these do: %s",
+			      c->plugin->name, accel_precision_name(precision),
+			      s.names.used ? s.names.s : "none of those installed");
+}
+
 int accel_describe(const struct accel_choice *c, char *out, size_t size)
 {
 	const ald_param *p = c->plugin->params;

@@ -14,6 +14,7 @@
 struct accel_choice {
 	const ald_accel_plugin *plugin;
 	void *handle; /* of dlopen; NULL: built in */
+	uint32_t precision; /* ALD_PRECISION_...; 0: the default one */
 	char path[4096]; /* where it was found */
 	double value[ACCEL_PARAMS_MAX];
 };
@@ -23,6 +24,9 @@ struct accel_choice {
  * Every refusal is reported with path and reason, as STATUS_ACCEL. */
 enum status accel_load(struct accel_choice *, const char *spec, struct diag *);
 void accel_unload(struct accel_choice *);
+/* Ask it for ALD_PRECISION_...; refused, with the names of those that serve it, if it does not. */
+enum status accel_set_precision(struct accel_choice *, uint32_t precision, struct diag *);
+const char *accel_precision_name(uint32_t precision);
 
 /* Every plugin found on the search path, for --list-accels; a broken one is reported as a warning and
  * left out. visit's argument lives during the call only. */

@@ -71,11 +71,25 @@ static uint32_t nearest_plane(const struct geometry *g, struct worker *w, ald_ra
 	return best;
 }
 
+/* In exact order: planes, whose t are numbers, come before the triangles whose t is nearest to that number; so
+ * what the ray has passed on its way to a plane at tmin is not to be met again. */
+static void settle(const struct geometry *g, struct worker *w, const ald_ray *asked, uint32_t i, ald_hit *hit)
+{
+	view_settle(&g->view[0], &w->ray[i], hit);
+	while (hit->prim != ALD_NONE && hit->t < asked->tmin) {
+		ald_ray next = w->ray[i];
+
+		trace_after(&next, hit);
+		*hit = (ald_hit){ .t = next.tmax, .prim = ALD_NONE };
+		view_nearest(&g->view[0], w, &next, hit);
+	}
+}
+
 void trace_nearest(const struct geometry *g, uint32_t thread, const ald_ray *rays, ald_hit *hits,
 		   uint32_t n, uint32_t hints)
 {
 	struct worker *w = g->worker[thread];
-	bool planes = g->set.unbounded_count > 0;
+	bool planes = g->set.unbounded_count > 0, exact = g->precision == ALD_PRECISION_EXACT;
 
 	for (uint32_t first = 0; first < n; first += TRACE_BATCH) {
 		uint32_t m = n - first < TRACE_BATCH ? n - first : TRACE_BATCH;
@@ -89,6 +103,8 @@ void trace_nearest(const struct geometry *g, uint32_t thread, const ald_ray *ray
 		if (g->view[0].accel)
 			accel_nearest_n(g->plugin, g->view[0].accel, &w->query[0].q, w->ray, hit, m,
 					hints);
+		for (uint32_t i = 0; exact && i < m; i++)
+			settle(g, w, &rays[first + i], i, &hit[i]);
 		for (uint32_t i = 0; planes && i < m; i++) {
 			if (w->plane[i] != ALD_NONE && hit[i].t >= w->ray[i].tmax)
 				hit[i] = (ald_hit){ .t = w->ray[i].tmax, .prim = w->plane[i] };

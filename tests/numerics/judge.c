@@ -3,7 +3,7 @@
  *
  * Every accelerator against exact arithmetic, on rays made to be hard: run by judge.sh.
  *
- *	judge [-n RAYS] [-s SEED] [-j PROCESSES] [-a ACCEL]... [CLASSES]
+ *	judge [-n RAYS] [-s SEED] [-p PRECISION] [-j PROCESSES] [-a ACCEL]... [CLASSES]
  *
  * RAYS a cell (3000); PROCESSES share the cells (as many as there are cores). Classes (all): a aimed at vertices
  * and edges; b grazing and in the plane of faces; c along axes; d needles and faces without area; e rays that
@@ -22,6 +22,7 @@
 static struct trial_tools tools;
 static uint32_t rays = 3000;
 static uint64_t first_seed = 1;
+static uint32_t precision = ALD_PRECISION_DEFAULT;
 static const char *want = "abcdefgr"; /* classes */
 
 enum { ANY = UINT32_MAX }; /* a count that is told but not bounded */
@@ -37,12 +38,16 @@ static bool within(uint64_t count, uint64_t n, uint32_t limit)
 	return limit == ANY || (double)count * 1e6 <= (double)limit * (double)n;
 }
 
+/* Exact: nothing is wrong, the id neither, and t is the nearest double. (A mesh far off is moved to the origin, which
+ * may round that of a ray once.) */
 static bool good_enough(const struct tally *t, const struct limits *l)
 {
 	uint64_t strict = tally_hard(t) + t->silhouettes;
 
 	if (!t->rays || t->unlike || !t->plain || t->unlike_plain)
 		return false;
+	if (precision == ALD_PRECISION_EXACT)
+		return !strict && !t->neighbours && !t->wrong_ids && !t->wrong_sheet && t->t_error <= 2.3e-16;
 	return within(t->leaks, t->rays, l->leaks) && within(tally_hard(t), t->rays, l->hard) &&
 	       within(strict, t->rays, l->strict) && within(t->wrong_sheet, t->rays, l->sheets);
 }
@@ -489,6 +494,15 @@ static void run_classes(void)
 	}
 }
 
+static bool named(const char *name, uint32_t *out)
+{
+	for (*out = ALD_PRECISION_DEFAULT; *out <= ALD_PRECISION_FAST; *out *= 2) {
+		if (!strcmp(name, accel_precision_name(*out)))
+			return true;
+	}
+	return false;
+}
+
 int main(int argc, char **argv)
 {
 	static const char *const usual[] = { "octree", "box", "sphere", "none", NULL };
@@ -498,13 +512,15 @@ int main(int argc, char **argv)
 	bool good;
 	int c;
 
-	while ((c = getopt(argc, argv, "n:s:j:a:")) != -1) {
+	while ((c = getopt(argc, argv, "n:s:p:j:a:")) != -1) {
 		if (c == 'n')
 			rays = (uint32_t)strtoul(optarg, NULL, 10);
 		else if (c == 's')
 			first_seed = strtoull(optarg, NULL, 10);
 		else if (c == 'j')
 			processes = (unsigned)strtoul(optarg, NULL, 10);
+		else if (c == 'p' && named(optarg, &precision))
+			;
 		else if (c == 'a' && accels < TRIAL_ACCELS)
 			accel[accels++] = optarg;
 		else
@@ -512,9 +528,10 @@ int main(int argc, char **argv)
 	}
 	if (optind < argc)
 		want = argv[optind];
-	if (!trial_tools_init(&tools, accels ? accel : usual))
+	if (!trial_tools_init(&tools, accels ? accel : usual, precision))
 		return 1;
-	printf("# seed %llu, %u rays a cell\n", (unsigned long long)first_seed, rays);
+	printf("# seed %llu, %u rays a cell, precision %s\n", (unsigned long long)first_seed, rays,
+	       accel_precision_name(precision));
 	good = crew_run(processes, run_classes);
 	trial_tools_release(&tools);
 	return !good;

@@ -65,9 +65,30 @@ static void add(double x)
 	hash ^= hash >> 29;
 }
 
+static void add_exact(const ald_ray *r, const ald_vec v[3], const ald_vec w[3])
+{
+	const double o[3] = { r->org.x, r->org.y, r->org.z }, d[3] = { r->dir.x, r->dir.y, r->dir.z };
+	ald_ratio x, y;
+
+	for (unsigned k = 0; k < 3; k++) {
+		if (!(fabs(o[k]) < 8 && fabs(d[k]) < 8))
+			return;
+		for (unsigned j = 0; j < 3; j++) {
+			if (!(fabs(ald_get(&v[j], k)) < 8 && fabs(ald_get(&w[j], k)) < 8))
+				return;
+		}
+	}
+	ald_ratio_of(o, d, v, &x);
+	ald_ratio_of(o, d, w, &y);
+	if (!x.dens || !y.dens)
+		return;
+	add(ald_ratio_compare(&x, &y));
+	add(ald_exact_t(o, d, v));
+}
+
 static void round_once(unsigned hostile)
 {
-	ald_frame f = { { 0.125, -0.25, 0.5 }, 3 };
+	ald_frame f = { { 0.125, -0.25, 0.5 }, 3, NULL };
 	ald_triangles many;
 	ald_vec v[ALD_LANES][3];
 	ald_ray r[ALD_LANES];
@@ -89,6 +110,8 @@ static void round_once(unsigned hostile)
 		add(p[i].near_o[2]);
 	}
 	add(ald_triangle_n(&p[0], &many));
+	for (unsigned i = 1; i < ALD_LANES; i++)
+		add_exact(&r[0], v[i - 1], v[i]);
 	ald_rays_clear(&rays, p[0].kz);
 	for (unsigned i = 0; i < ALD_LANES; i++) {
 		if (p[i].kz == p[0].kz)

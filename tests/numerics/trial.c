@@ -17,16 +17,18 @@ static void say(void *arg, enum diag_level level, const struct diag_pos *pos, co
 		printf("# %s\n", text);
 }
 
-bool trial_tools_init(struct trial_tools *t, const char *const *accel)
+bool trial_tools_init(struct trial_tools *t, const char *const *accel, uint32_t precision)
 {
 	struct diag d = { .sink = say };
 
 	memset(t, 0, sizeof(*t));
 	mem_book_init(&t->book, 0);
 	t->pool = pool_new(1);
+	t->precision = precision;
 	for (; accel[t->accels]; t->accels++) {
 		t->name[t->accels] = accel[t->accels];
-		if (t->accels == TRIAL_ACCELS || accel_load(&t->choice[t->accels], accel[t->accels], &d))
+		if (t->accels == TRIAL_ACCELS || accel_load(&t->choice[t->accels], accel[t->accels], &d) ||
+		    accel_set_precision(&t->choice[t->accels], precision, &d))
 			return false;
 	}
 	return t->pool && t->accels;

@@ -27,6 +27,7 @@ struct trial_tools { /* the same for all trials */
 	uint32_t accels;
 	const char *name[TRIAL_ACCELS];
 	struct accel_choice choice[TRIAL_ACCELS];
+	uint32_t precision; /* ALD_PRECISION_... */
 };
 
 struct tally { /* counts, rays first and TALLY_COUNTS in all */
@@ -59,7 +60,7 @@ struct trial {
 typedef void trial_ray(void *arg, uint32_t i, ald_ray *);
 
 /* Loads the accelerators of a list that ends with NULL; false: said why. */
-bool trial_tools_init(struct trial_tools *, const char *const *accel);
+bool trial_tools_init(struct trial_tools *, const char *const *accel, uint32_t precision);
 void trial_tools_release(struct trial_tools *);
 bool trial_begin(struct trial *, struct trial_tools *, const struct soup *);
 void trial_end(struct trial *);

@@ -85,7 +85,7 @@ static void decides_as_the_oracle(void **state)
 		vec o = rounded(vec_scale(random_vec(&seed), size));
 		vec d = rounded(vec_scale(random_vec(&seed), size)), v[3];
 		ald_ray r = ray(o, d);
-		ald_frame f = { o, size };
+		ald_frame f = { o, size, NULL };
 		double t, want;
 		ald_prep p;
 		int got;
@@ -152,7 +152,7 @@ static void lanes_and_boxes_agree(void **state)
 
 	(void)state;
 	for (unsigned n = 0; n < 20000; n++) {
-		ald_frame f = { { 0, 0, 0 }, 4 };
+		ald_frame f = { { 0, 0, 0 }, 4, NULL };
 		ald_triangles many;
 		ald_rays rays;
 		vec v[ALD_LANES][3];
@@ -210,7 +210,7 @@ static void nan_never_hits_and_never_culls(void **state)
 {
 	const vec good[3] = { { -1, -1, 1 }, { 3, -1, 1 }, { -1, 3, 1 } };
 	const double bad[] = { ALD_NAN, ALD_INF, -ALD_INF };
-	ald_frame f = { { 0, 0, 0 }, 2 };
+	ald_frame f = { { 0, 0, 0 }, 2, NULL };
 	double t, enter;
 	ald_prep p;
 

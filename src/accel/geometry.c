@@ -162,6 +162,7 @@ enum status geometry_judge(struct geometry **out, const struct geometry *of, str
 	g->plugin = &accel_brute;
 	g->set = of->set;
 	g->borrowed = true;
+	g->precision = of->precision == ALD_PRECISION_EXACT ? ALD_PRECISION_EXACT : ALD_PRECISION_DEFAULT;
 	accel_host_init(&g->host, g->book, pool, diag, g->plugin->name);
 	g->view = mem_zalloc(g->book, "verification", mem_product(g->set.level_count, sizeof(*g->view)));
 	if (!g->view)

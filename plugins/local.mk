@@ -5,7 +5,7 @@
 PLUGIN_LDFLAGS = -module -avoid-version -shared -export-symbols-regex '^ald_accel_entry$$' $(AM_LDFLAGS)
 PLUGIN_CPPFLAGS = -I$(top_srcdir)/include
 
-pkglibaccel_LTLIBRARIES += plugins/none.la plugins/sphere.la plugins/box.la plugins/octree.la
+pkglibaccel_LTLIBRARIES += plugins/none.la plugins/sphere.la plugins/box.la plugins/octree.la plugins/bvh8.la
 
 plugins_none_la_SOURCES = plugins/none.c plugins/flat.h
 plugins_none_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
@@ -23,13 +23,19 @@ plugins_octree_la_SOURCES = plugins/octree.c plugins/octree_build.c plugins/octr
 plugins_octree_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
 plugins_octree_la_LDFLAGS = $(PLUGIN_LDFLAGS)
 
+plugins_bvh8_la_SOURCES = plugins/bvh8.c plugins/bvh8_build.c plugins/bvh8_sah.c plugins/bvh8_wide.c \
+	plugins/bvh8_plain.c plugins/bvh8_sse.c plugins/bvh8_avx2.c plugins/bvh8_avx512.c \
+	plugins/bvh8.h plugins/bvh8_beam.h plugins/bvh8_vec.h plugins/bvh8_walk.h
+plugins_bvh8_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
+plugins_bvh8_la_LDFLAGS = $(PLUGIN_LDFLAGS)
+
 # Libtool's .la files are of no use to dlopen(); only libtool itself would miss them.
 install-data-hook:
-	cd '$(DESTDIR)$(pkglibacceldir)' && rm -f none.la sphere.la box.la octree.la
+	cd '$(DESTDIR)$(pkglibacceldir)' && rm -f none.la sphere.la box.la octree.la bvh8.la
 	rm -f '$(DESTDIR)$(pkglibdir)/io_oiio.la'
 
 uninstall-hook:
-	cd '$(DESTDIR)$(pkglibacceldir)' && rm -f none.so sphere.so box.so octree.so
+	cd '$(DESTDIR)$(pkglibacceldir)' && rm -f none.so sphere.so box.so octree.so bvh8.so
 	rm -f '$(DESTDIR)$(pkglibdir)/io_oiio.so'
 
 # To start one's own from, outside of this tree.

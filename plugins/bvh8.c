@@ -1,0 +1,219 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * bvh8: a tree of boxes, eight to a node, in floats that are rounded outward; what they can't rule out is
+ * decided by alidade/kernel.h. The walk is compiled for several instruction sets and the widest that the
+ * processor has is taken.
+ */
+#include "bvh8.h"
+
+#include <stdio.h>
+
+static const char *const build_label[] = { "sah", NULL };
+static const char *const isa_label[] = { "auto", "plain", "sse", "avx2", "avx512", NULL };
+static const ald_param params[] = {
+	{ "build", "how: sah, by the surface area heuristic", ALD_CHOICE, BUILD_SAH, 0, 0, build_label },
+	{ "leaf", "triangles of a leaf at most", ALD_INT, 8, 1, SEATS * BLOCKS_MAX, NULL },
+	{ "isa", "instruction set; auto: the best there is", ALD_CHOICE, ISA_AUTO, 0, 4, isa_label },
+	{ "interleave", "rays a thread walks with in turns, where they are not coherent; 1: one by one",
+	  ALD_INT, 8, 1, 16, NULL },
+	{ NULL, NULL, 0, 0, 0, 0, NULL },
+};
+
+static const struct isa *isa_of(unsigned want)
+{
+#if defined __x86_64__
+	int sse = __builtin_cpu_supports("sse4.2");
+	int avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+	int avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl");
+
+	switch (want) {
+	case ISA_AUTO:
+		return avx2 ? &bvh8_avx2 : sse ? &bvh8_sse : &bvh8_plain;
+	case ISA_SSE:
+		return sse ? &bvh8_sse : NULL;
+	case ISA_AVX2:
+		return avx2 ? &bvh8_avx2 : NULL;
+	case ISA_AVX512:
+		return avx512 ? &bvh8_avx512 : NULL;
+	default:
+		return &bvh8_plain;
+	}
+#else
+	return want == ISA_AUTO || want == ISA_PLAIN ? &bvh8_plain : NULL;
+#endif
+}
+
+void bvh8_destroy(ald_accel *a)
+{
+	const ald_host *h = a->host;
+
+	h->free(h->ctx, a->node);
+	h->free(h->ctx, a->block);
+	h->free(h->ctx, a->other);
+	h->free(h->ctx, a);
+}
+
+static int bvh8_build(const ald_host *host, const ald_prims *prims, const double *value, ald_accel **out,
+		      ald_error *err)
+{
+	struct builder b = { .host = host, .prims = prims, .value = value };
+	const struct isa *isa = isa_of((unsigned)value[P_ISA]);
+	int status;
+
+	if (!isa) {
+		snprintf(err->text, sizeof(err->text), "isa=%s: this processor does not have it; give isa=auto",
+			 isa_label[(unsigned)value[P_ISA]]);
+		return ALD_BAD_PARAM;
+	}
+	b.a = bvh8_take(host, 1, sizeof(*b.a), "bvh8: nodes");
+	if (!b.a)
+		return ALD_NO_MEMORY;
+	*b.a = (ald_accel){ .host = host,
+			    .prims = prims,
+			    .isa = isa,
+			    .interleave = (uint32_t)value[P_INTERLEAVE],
+			    .bytes = sizeof(*b.a) };
+	status = host->progress(host->ctx, 0) ? ALD_CANCELLED : bvh8_refs(&b);
+	if (!status)
+		status = host->progress(host->ctx, 0.1) ? ALD_CANCELLED : bvh8_sah(&b);
+	if (!status)
+		status = host->progress(host->ctx, 0.8) ? ALD_CANCELLED : bvh8_widen(&b);
+	host->free(host->ctx, b.ref);
+	host->free(host->ctx, b.twig);
+	if (status)
+		bvh8_destroy(b.a);
+	else
+		*out = b.a;
+	return status;
+}
+
+static void bvh8_intersect_n(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit, uint32_t n,
+			     uint32_t hints)
+{
+	a->isa->nearest(a, q, ray, hit, n, hints);
+}
+
+static void bvh8_occluded_n(const ald_accel *a, ald_query *q, const ald_ray *ray, uint8_t *hidden, uint32_t n,
+			    uint32_t hints)
+{
+	a->isa->occluded(a, q, ray, hidden, n, hints);
+}
+
+static int bvh8_intersect(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit)
+{
+	double t = hit->t;
+	uint32_t prim = hit->prim;
+
+	a->isa->nearest(a, q, ray, hit, 1, 0);
+	return hit->t != t || hit->prim != prim;
+}
+
+static int bvh8_occluded(const ald_accel *a, ald_query *q, const ald_ray *ray)
+{
+	uint8_t hidden;
+
+	a->isa->occluded(a, q, ray, &hidden, 1, 0);
+	return hidden;
+}
+
+/* ---- what it looks like ---- */
+
+static int bvh8_stat(const ald_accel *a, uint32_t i, const char **name, double *value)
+{
+	const struct {
+		const char *name;
+		double value;
+	} list[] = {
+		{ "nodes", (double)a->nodes + a->leaves },
+		{ "leaves", a->leaves },
+		{ "depth", a->depth },
+		{ "references", (double)a->refs },
+		{ "expected cost", a->cost },
+		{ "memory", (double)a->bytes },
+	};
+
+	if (i >= sizeof(list) / sizeof(list[0]))
+		return 0;
+	*name = list[i].name;
+	*value = list[i].value;
+	return 1;
+}
+
+static uint32_t prims_of(const ald_accel *a, uint32_t ref)
+{
+	uint32_t n = 0;
+
+	if (ref >= REF_OTHERS)
+		return a->other[ref & REF_INDEX];
+	for (uint32_t i = 0; i < SEATS * ((ref >> REF_SHIFT & 7) + 1); i++)
+		n += a->block[(ref & REF_INDEX) + i / SEATS].id[i % SEATS] != ALD_NONE;
+	return n;
+}
+
+struct tour {
+	const ald_accel *a;
+	const ald_ray *only;
+	ald_visit *visit;
+	void *arg;
+	ald_prep p;
+};
+
+static int tour_node(const struct tour *t, uint32_t ref, const ald_box *box, uint32_t depth)
+{
+	const ald_accel *a = t->a;
+	ald_volume v = { .kind = ALD_VOLUME_BOX, .depth = depth, .box = *box };
+	double enter;
+	int more;
+
+	if (t->only && !ald_box_ray(&t->p, box, t->only->tmin, t->only->tmax, &enter))
+		return 0;
+	if (ref >= REF_LEAF)
+		v.prims = prims_of(a, ref);
+	more = t->visit(t->arg, &v);
+	if (more < 0 || !more || ref >= REF_LEAF)
+		return more < 0 ? -1 : 0;
+	for (unsigned k = 0; k < WIDTH && a->node[ref].child[k] != EMPTY; k++) {
+		const struct node *n = &a->node[ref];
+		ald_box kid;
+
+		for (unsigned i = 0; i < 3; i++) {
+			(&kid.lo.x)[i] = (double)n->plane[2 * i][k] / a->scale + a->centre[i] - a->prims->pad;
+			(&kid.hi.x)[i] =
+				(double)n->plane[2 * i + 1][k] / a->scale + a->centre[i] + a->prims->pad;
+		}
+		if (tour_node(t, n->child[k], &kid, depth + 1) < 0)
+			return -1;
+	}
+	return 0;
+}
+
+static int bvh8_walk(const ald_accel *a, const ald_ray *only, ald_visit *visit, void *arg)
+{
+	struct tour t = { .a = a, .only = only, .visit = visit, .arg = arg };
+
+	if (a->root == EMPTY)
+		return 0;
+	if (only)
+		ald_ray_prep(&a->frame, only, &t.p);
+	return tour_node(&t, a->root, &a->box, 0);
+}
+
+const ald_accel_plugin ald_accel_entry = {
+	.abi = ALD_ACCEL_ABI,
+	.size = sizeof(ald_accel_plugin),
+	.name = "bvh8",
+	.version = "1",
+	.license = "Apache-2.0",
+	.summary = "tree of boxes, eight to a node",
+	.params = params,
+	.precisions = ALD_PRECISION_DEFAULT | ALD_PRECISION_EXACT,
+	.build = bvh8_build,
+	.intersect = bvh8_intersect,
+	.destroy = bvh8_destroy,
+	.occluded = bvh8_occluded,
+	.intersect_n = bvh8_intersect_n,
+	.occluded_n = bvh8_occluded_n,
+	.stat = bvh8_stat,
+	.walk = bvh8_walk,
+};

@@ -1,0 +1,122 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * bvh8: what its files share.
+ *
+ * Everything is in floats and in coordinates of its own: X = (x - centre) * scale, scale a power of two, so
+ * that the scene lies within [-1, 1] wherever and however large it is. A ray is moved to where it enters the
+ * scene's box, and t is counted from there. Planes of boxes are rounded outward; what the rest of the float
+ * arithmetic may err, BOX_ERROR and EDGE_ERROR bound, and rays are grown by it. So what the walk rejects is
+ * surely not hit, and what is left is decided by alidade/kernel.h in doubles (R1).
+ *
+ * BOX_ERROR: with |X| <= 1 and directions scaled to a largest component in [1/2, 1), the origin's rounding is
+ * 2^-25, that of origin * inverse 2^-24 and so is that of plane * inverse where there is no fma; the inverse
+ * and the sum are off by 2^-24 of a distance <= 2 each: less than 2^-21 in all, as seen from the plane.
+ *
+ * EDGE_ERROR: corner and origin are off by 2^-25, their difference by 2^-24 more, and shearing adds the
+ * same of z, the slope's 2^-23, the product's and the sum's 2^-23: a sheared coordinate is off by h <=
+ * 5 * 2^-23. Where the line meets the triangle, no sheared coordinate is more than twice its extent x. Then a
+ * weight, c d - e f, is off by at most 8 x h + 2 h h + 3 * 2^-24 * 8 x x < 2^-20 (12 x + 4 * 2^-20). Nothing
+ * is lost by using this where the line misses.
+ */
+#ifndef BVH8_H
+#define BVH8_H
+
+#include <alidade/accel.h>
+#include <alidade/kernel.h>
+
+#define WIDTH 8u /* children of a node */
+#define SEATS 4u /* triangles of a block */
+#define BLOCKS_MAX 7u /* blocks of a leaf */
+#define BOX_ERROR 0x1p-21f
+#define EDGE_ERROR 0x1p-20f
+#define LEVELS_MAX 56u /* of wide nodes, whatever the scene is */
+#define STACK_MAX ((WIDTH - 1) * LEVELS_MAX + 1)
+
+/* A reference to a child: a node's number; or a leaf's first block and how many it has; or where in
+ * other[] there is a count and so many ids. EMPTY: no child. */
+#define REF_LEAF 0x80000000u
+#define REF_OTHERS 0xf0000000u
+#define REF_SHIFT 28
+#define REF_INDEX 0x0fffffffu
+#define EMPTY UINT32_MAX
+
+struct node { /* 64-aligned, four cache lines */
+	float plane[6][WIDTH]; /* low x, high x, low y, high y, low z, high z; low > high: no child */
+	uint32_t child[WIDTH]; /* the larger a child's box, the earlier it stands */
+	uint32_t spare[WIDTH];
+};
+
+struct block { /* of a leaf */
+	float v[3][3][SEATS]; /* corner, axis */
+	float slack[SEATS]; /* the bound on a weight; an empty seat has -1 */
+	uint32_t id[SEATS];
+};
+
+struct isa; /* the walk, compiled for an instruction set */
+
+struct ald_accel {
+	const ald_host *host;
+	const ald_prims *prims;
+	const struct isa *isa;
+	struct node *node;
+	struct block *block;
+	uint32_t *other;
+	uint32_t root; /* a reference */
+	uint32_t nodes, blocks, others, leaves, depth, interleave;
+	double centre[3], scale; /* to X */
+	ald_box box; /* around the primitives, grown (R4) */
+	ald_frame frame;
+	uint64_t refs, bytes;
+	double cost; /* expected, of a ray that meets the scene's box: nodes and blocks it opens */
+};
+
+struct isa {
+	const char *name;
+	void (*nearest)(const ald_accel *, ald_query *, const ald_ray *, ald_hit *, uint32_t n,
+			uint32_t hints);
+	void (*occluded)(const ald_accel *, ald_query *, const ald_ray *, uint8_t *, uint32_t n,
+			 uint32_t hints);
+};
+
+extern const struct isa bvh8_plain, bvh8_sse, bvh8_avx2, bvh8_avx512;
+
+enum bvh8_param { P_BUILD, P_LEAF, P_ISA, P_INTERLEAVE };
+enum { BUILD_SAH, BUILD_FAST };
+enum { ISA_AUTO, ISA_PLAIN, ISA_SSE, ISA_AVX2, ISA_AVX512 };
+
+/* ---- building ---- */
+
+struct ref { /* a box, of a primitive or a part of one */
+	float lo[3];
+	uint32_t id;
+	float hi[3];
+	uint32_t zero;
+};
+
+struct twig { /* a node of the binary tree; its children stand side by side */
+	float lo[3];
+	uint32_t kid; /* of an inner node: the first child; of a leaf: its first reference */
+	float hi[3];
+	uint32_t count; /* references of a leaf; 0: inner */
+};
+
+struct builder {
+	const ald_host *host;
+	const ald_prims *prims;
+	const double *value;
+	ald_accel *a;
+	struct ref *ref, *spare; /* spare: NULL, or of the same size, for parallel sorting */
+	struct twig *twig;
+	uint32_t refs, inner; /* inner: twigs that are no leaves */
+};
+
+void *bvh8_take(const ald_host *, uint64_t n, size_t each, const char *what);
+int bvh8_refs(struct builder *); /* ref[] from the primitives */
+int bvh8_split(struct builder *); /* long thin ones in parts */
+int bvh8_sah(struct builder *); /* ref[] in order, and twig[] */
+int bvh8_morton(struct builder *);
+int bvh8_widen(struct builder *); /* twig[] to what rays walk through */
+void bvh8_destroy(ald_accel *);
+
+#endif

@@ -1,0 +1,23 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * bvh8's walk in AVX-512VL: masks instead of vectors of signs.
+ */
+#include "bvh8.h"
+
+#if defined __x86_64__
+#include <immintrin.h>
+
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx2,fma,avx512f,avx512vl"))), apply_to = function)
+#else
+#pragma GCC target("avx2,fma,avx512f,avx512vl")
+#endif
+#define ISA_LEVEL 3
+#define ISA_NAME bvh8_avx512
+#define ISA_TEXT "avx512"
+#include "bvh8_walk.h"
+#ifdef __clang__
+#pragma clang attribute pop
+#endif
+#endif

@@ -1,0 +1,152 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Building a bvh8: boxes of the primitives, then a binary tree over them (bvh8_sah.c, bvh8_morton.c), then
+ * the wide one (bvh8_wide.c).
+ */
+#if defined __linux__ && !defined _DEFAULT_SOURCE
+#define _DEFAULT_SOURCE /* madvise() */
+#endif
+#include "bvh8.h"
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+#define CHUNK 4096u /* primitives a job looks at */
+
+void *bvh8_take(const ald_host *host, uint64_t n, size_t each, const char *what)
+{
+	void *p;
+
+	if (n > SIZE_MAX / each)
+		return NULL;
+	p = host->alloc(host->ctx, n ? (size_t)n * each : 1, what);
+#if defined __linux__ && defined MADV_HUGEPAGE
+	if (p && n * each >= (size_t)8 << 20) { /* walks miss the cache; not the page table, too */
+		uintptr_t from = ((uintptr_t)p + 4095) & ~(uintptr_t)4095;
+
+		(void)madvise((void *)from, (size_t)(n * each) - 4096, MADV_HUGEPAGE);
+	}
+#endif
+	return p;
+}
+
+struct chunk {
+	ald_box box;
+	uint32_t valid; /* primitives that can be hit; then: where its first reference goes */
+};
+
+struct scan {
+	struct builder *b;
+	struct chunk *chunk;
+};
+
+/* 0: it can't be hit. Triangles: the box that holds them tightly, which the rays' errors take care of. */
+static int box_of(const ald_prims *p, uint32_t id, ald_box *box)
+{
+	ald_vec v[3];
+	double sum = 0;
+
+	if (id >= p->tri_count) {
+		p->bounds(p, id, box);
+		return 1;
+	}
+	ald_corners(p, id, p->origin ? ald_group_of(p, id) : 0, v);
+	*box = (ald_box){ v[0], v[0] };
+	for (unsigned k = 0; k < 3; k++) {
+		ald_box point = { v[k], v[k] };
+
+		ald_box_join(box, &point);
+		sum += (v[k].x - v[k].x) + (v[k].y - v[k].y) + (v[k].z - v[k].z);
+	}
+	return sum == 0;
+}
+
+static void scan_job(void *arg, uint32_t job)
+{
+	struct scan *s = arg;
+	const ald_prims *p = s->b->prims;
+	struct chunk c = { ald_box_empty(), 0 };
+	uint32_t end = p->count - job * CHUNK < CHUNK ? p->count : (job + 1) * CHUNK;
+	ald_box box;
+
+	for (uint32_t id = job * CHUNK; id < end; id++) {
+		if (!box_of(p, id, &box))
+			continue;
+		ald_box_join(&c.box, &box);
+		c.valid++;
+	}
+	s->chunk[job] = c;
+}
+
+static void ref_job(void *arg, uint32_t job)
+{
+	struct scan *s = arg;
+	const struct builder *b = s->b;
+	const ald_prims *p = b->prims;
+	uint32_t end = p->count - job * CHUNK < CHUNK ? p->count : (job + 1) * CHUNK;
+	struct ref *r = b->ref + s->chunk[job].valid;
+	ald_box box;
+
+	for (uint32_t id = job * CHUNK; id < end; id++) {
+		if (!box_of(p, id, &box))
+			continue;
+		for (unsigned k = 0; k < 3; k++) {
+			r->lo[k] = ald_float_down((ald_get(&box.lo, k) - b->a->centre[k]) * b->a->scale);
+			r->hi[k] = ald_float_up((ald_get(&box.hi, k) - b->a->centre[k]) * b->a->scale);
+		}
+		r->id = id;
+		r->zero = 0;
+		r++;
+	}
+}
+
+/* The scene's box, and from it the coordinates X. */
+static void place(ald_accel *a, const ald_box *box)
+{
+	double size = 0, pad = a->prims->pad;
+	int power;
+
+	for (unsigned k = 0; k < 3; k++) {
+		double lo = (&box->lo.x)[k], hi = (&box->hi.x)[k];
+
+		a->centre[k] = lo + (hi - lo) / 2;
+		size = ald_max((hi - lo) / 2 * (1 + 4 * ALD_U), size);
+		(&a->box.lo.x)[k] = ald_down(lo - pad);
+		(&a->box.hi.x)[k] = ald_up(hi + pad);
+	}
+	size = ald_max(size, pad);
+	frexp(size, &power);
+	a->scale = ldexp(1, power < -900 || size == 0 ? 900 : -power);
+	a->frame = ald_frame_of(&a->box);
+}
+
+int bvh8_refs(struct builder *b)
+{
+	const ald_host *h = b->host;
+	uint32_t jobs = (b->prims->count + CHUNK - 1) / CHUNK, refs = 0;
+	struct scan s = { b, bvh8_take(h, jobs, sizeof(*s.chunk), "bvh8: building") };
+	ald_box box = ald_box_empty();
+
+	if (!s.chunk)
+		return ALD_NO_MEMORY;
+	h->parallel(h->ctx, jobs, scan_job, &s);
+	for (uint32_t i = 0; i < jobs; i++) {
+		uint32_t n = s.chunk[i].valid;
+
+		if (n)
+			ald_box_join(&box, &s.chunk[i].box);
+		s.chunk[i].valid = refs;
+		refs += n;
+	}
+	if (!refs)
+		box = (ald_box){ { 0, 0, 0 }, { 0, 0, 0 } };
+	place(b->a, &box);
+	b->refs = refs;
+	b->ref = bvh8_take(h, refs, sizeof(*b->ref), "bvh8: building");
+	if (b->ref)
+		h->parallel(h->ctx, jobs, ref_job, &s);
+	h->free(h->ctx, s.chunk);
+	return b->ref ? ALD_OK : ALD_NO_MEMORY;
+}

@@ -72,10 +72,9 @@ static void scan_job(void *arg, uint32_t job)
 	ald_box box;
 
 	for (uint32_t id = job * CHUNK; id < end; id++) {
-		if (!box_of(p, id, &box))
-			continue;
+		c.valid += (uint32_t)box_of(p, id, &box);
+		p->bounds(p, id, &box);
 		ald_box_join(&c.box, &box);
-		c.valid++;
 	}
 	s->chunk[job] = c;
 }
@@ -102,21 +101,20 @@ static void ref_job(void *arg, uint32_t job)
 	}
 }
 
-/* The scene's box, and from it the coordinates X. */
+/* From the scene's box the coordinates X. The box is that of all bounds(), as in other accelerators: the
+ * kernel's own bounds depend on it. */
 static void place(ald_accel *a, const ald_box *box)
 {
-	double size = 0, pad = a->prims->pad;
+	double size = 0;
 	int power;
 
+	a->box = *box;
 	for (unsigned k = 0; k < 3; k++) {
 		double lo = (&box->lo.x)[k], hi = (&box->hi.x)[k];
 
 		a->centre[k] = lo + (hi - lo) / 2;
 		size = ald_max((hi - lo) / 2 * (1 + 4 * ALD_U), size);
-		(&a->box.lo.x)[k] = ald_down(lo - pad);
-		(&a->box.hi.x)[k] = ald_up(hi + pad);
 	}
-	size = ald_max(size, pad);
 	frexp(size, &power);
 	a->scale = ldexp(1, power < -900 || size == 0 ? 900 : -power);
 	a->frame = ald_frame_of(&a->box);
@@ -135,12 +133,11 @@ int bvh8_refs(struct builder *b)
 	for (uint32_t i = 0; i < jobs; i++) {
 		uint32_t n = s.chunk[i].valid;
 
-		if (n)
-			ald_box_join(&box, &s.chunk[i].box);
+		ald_box_join(&box, &s.chunk[i].box);
 		s.chunk[i].valid = refs;
 		refs += n;
 	}
-	if (!refs)
+	if (!b->prims->count)
 		box = (ald_box){ { 0, 0, 0 }, { 0, 0, 0 } };
 	place(b->a, &box);
 	b->refs = refs;

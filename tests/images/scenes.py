@@ -86,9 +86,9 @@ class Scene:
             x, y, w, h = crop
             inside = picture.read(full)[y:y + h, x:x + w]
             tap.ok((picture.read(part) == inside).all(), '%s: a crop is that part of the whole' % self.name)
-        pairs = (('none', 2), ('sphere', 7), ('box', 1))
+        pairs = (('none', 2), ('sphere', 7), ('box', 1), ('bvh8', 2))
         if self.whole and self.triangles <= MANY:
-            pairs = [(accel, n) for accel in ('none', 'sphere', 'box') for n in (1, 2, 7)]
+            pairs = [(accel, n) for accel in ('none', 'sphere', 'box', 'bvh8') for n in (1, 2, 7)]
         for accel, threads in pairs:
             self.same(accel, threads, crop, part)
         return True

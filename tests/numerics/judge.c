@@ -505,7 +505,7 @@ static bool named(const char *name, uint32_t *out)
 
 int main(int argc, char **argv)
 {
-	static const char *const usual[] = { "octree", "box", "sphere", "none", NULL };
+	static const char *const usual[] = { "octree", "box", "sphere", "none", "bvh8", NULL };
 	const char *accel[TRIAL_ACCELS + 1] = { NULL };
 	unsigned accels = 0;
 	unsigned processes = pool_cores();

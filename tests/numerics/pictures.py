@@ -22,7 +22,7 @@ import renderers
 import tap
 
 ALL = bool(os.environ.get('ALIDADE_ALL'))
-ACCELS = ('octree', 'box', 'sphere', 'none') if ALL else ('octree',)
+ACCELS = ('octree', 'box', 'sphere', 'none', 'bvh8') if ALL else ('octree', 'bvh8')
 AWAY = (0.6, -0.64, 0.48)
 
 

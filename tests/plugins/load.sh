@@ -47,7 +47,7 @@ ALIDADE_ACCEL_PATH=$tap_dir/bad:$own
 export ALIDADE_ACCEL_PATH
 
 # ---- what is not there ----
-says "a name with a slip of the pen" 4 octre "no accelerator 'octre'\. Did you mean 'octree'\? Searched: $tap_dir/bad \(none\); $own \(box, none, octree, sphere\); .* ALIDADE_ACCEL_PATH"
+says "a name with a slip of the pen" 4 octre "no accelerator 'octre'\. Did you mean 'octree'\? Searched: $tap_dir/bad \(none\); $own \(box, bvh8, none, octree, sphere\); .* ALIDADE_ACCEL_PATH"
 says "a name like no other" 4 quadrangle "^error: no accelerator 'quadrangle'\. Searched: "
 refused "no name" "" "an accelerator is given as NAME, NAME:KEY=VALUE,... or a path with a slash"
 refused "not a name" "Octree" "'Octree' can't be an accelerator's name, which is of the form [a-z][a-z0-9-]*; a file is named by a path with a slash: ./Octree"
@@ -173,7 +173,7 @@ rm bad/whole.so
 cp "$own/none.so" bad/bad.so
 cp "$own/octree.so" bad/octree.so
 got=$("$try" --list 2>"$tap_dir/err" | sed 's/:.*//' | tr '\n' ' ')
-is "the list, the first of a name" "$got" "octree box none sphere "
+is "the list, the first of a name" "$got" "octree box bvh8 none sphere "
 is "the list warns of what is broken" "$(cat "$tap_dir/err")" \
 	"warning: accelerator $tap_dir/bad/bad.so: it calls itself 'none'; the file has to be named none.so"
 tap_done

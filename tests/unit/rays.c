@@ -24,7 +24,7 @@ static double random_in(uint64_t *s, double lo, double hi)
 	return lo + (hi - lo) * random_unit(s);
 }
 
-static void begin_group(struct mesh *m)
+void mesh_group(struct mesh *m)
 {
 	m->group_first = realloc(m->group_first, (m->groups + 2) * sizeof(*m->group_first));
 	m->group_first[m->groups++] = m->prims.count;
@@ -38,7 +38,7 @@ static double round_to_float(double x)
 	return (double)f;
 }
 
-static uint32_t add_vertex(struct mesh *m, double x, double y, double z)
+uint32_t mesh_vertex(struct mesh *m, double x, double y, double z)
 {
 	if (m->vertices == m->vertex_room) {
 		m->vertex_room = 2 * m->vertex_room + 64;
@@ -49,7 +49,7 @@ static uint32_t add_vertex(struct mesh *m, double x, double y, double z)
 	return m->vertices++;
 }
 
-static void add_triangle(struct mesh *m, uint32_t a, uint32_t b, uint32_t c)
+void mesh_triangle(struct mesh *m, uint32_t a, uint32_t b, uint32_t c)
 {
 	uint32_t at = 3 * m->prims.count++;
 
@@ -69,8 +69,8 @@ static void add_grid(struct mesh *m, uint32_t first, uint32_t n, uint32_t k, boo
 		for (uint32_t j = 0; j + !closed < k; j++) {
 			uint32_t i1 = (i + 1) % n, j1 = (j + 1) % k;
 
-			add_triangle(m, first + i * k + j, first + i1 * k + j, first + i1 * k + j1);
-			add_triangle(m, first + i * k + j, first + i1 * k + j1, first + i * k + j1);
+			mesh_triangle(m, first + i * k + j, first + i1 * k + j, first + i1 * k + j1);
+			mesh_triangle(m, first + i * k + j, first + i1 * k + j1, first + i * k + j1);
 		}
 	}
 }
@@ -79,13 +79,13 @@ void mesh_torus(struct mesh *m, ald_vec centre, double big, double small, uint32
 {
 	uint32_t first = m->vertices;
 
-	begin_group(m);
+	mesh_group(m);
 	for (uint32_t i = 0; i < around; i++) {
 		for (uint32_t j = 0; j < across; j++) {
 			double a = 6.283185307179586 * i / around, b = 6.283185307179586 * j / across;
 			double r = big + small * cos(b);
 
-			add_vertex(m, centre.x + r * cos(a), centre.y + r * sin(a),
+			mesh_vertex(m, centre.x + r * cos(a), centre.y + r * sin(a),
 				   centre.z + small * sin(b));
 		}
 	}
@@ -97,7 +97,7 @@ void mesh_field(struct mesh *m, uint32_t n, double size, double height, uint64_t
 	uint32_t first = m->vertices;
 	double wave[12];
 
-	begin_group(m);
+	mesh_group(m);
 	for (unsigned k = 0; k < 12; k++)
 		wave[k] = random_in(&seed, 0.5, 2);
 	for (uint32_t i = 0; i <= n; i++) {
@@ -107,7 +107,7 @@ void mesh_field(struct mesh *m, uint32_t n, double size, double height, uint64_t
 			for (unsigned k = 0; k < 6; k++, f *= 1.9)
 				z += sin(f * (wave[2 * k] * x + wave[2 * k + 1] * y) + k) *
 				     cos(f * (wave[2 * k + 1] * x - wave[2 * k] * y)) / f;
-			add_vertex(m, (x - 0.5) * size, (y - 0.5) * size, z * height);
+			mesh_vertex(m, (x - 0.5) * size, (y - 0.5) * size, z * height);
 		}
 	}
 	add_grid(m, first, n + 1, n + 1, false);
@@ -115,7 +115,7 @@ void mesh_field(struct mesh *m, uint32_t n, double size, double height, uint64_t
 
 void mesh_soup(struct mesh *m, uint32_t n, double size, double edge, uint64_t seed)
 {
-	begin_group(m);
+	mesh_group(m);
 	for (uint32_t i = 0; i < n; i++) {
 		double c[3], e = edge * pow(random_unit(&seed), 4);
 		uint32_t v[3];
@@ -125,11 +125,11 @@ void mesh_soup(struct mesh *m, uint32_t n, double size, double edge, uint64_t se
 		for (unsigned k = 0; k < 3; k++) { /* one in four is a needle, one in sixteen a line */
 			double thin = i % 4 || k < 2 ? 1 : i % 16 ? 1e-6 : 0;
 
-			v[k] = add_vertex(m, c[0] + thin * random_in(&seed, -e, e),
+			v[k] = mesh_vertex(m, c[0] + thin * random_in(&seed, -e, e),
 					  c[1] + thin * random_in(&seed, -e, e),
 					  c[2] + thin * random_in(&seed, -e, e));
 		}
-		add_triangle(m, v[0], v[1], i % 16 ? v[2] : v[1]);
+		mesh_triangle(m, v[0], v[1], i % 16 ? v[2] : v[1]);
 	}
 }
 
@@ -138,10 +138,10 @@ void mesh_sheets(struct mesh *m, uint32_t n, uint32_t sheets, double gap)
 	for (uint32_t s = 0; s < sheets; s++) {
 		uint32_t first = m->vertices;
 
-		begin_group(m);
+		mesh_group(m);
 		for (uint32_t i = 0; i <= n; i++) {
 			for (uint32_t j = 0; j <= n; j++)
-				add_vertex(m, (double)i / n, (double)j / n, gap * s);
+				mesh_vertex(m, (double)i / n, (double)j / n, gap * s);
 		}
 		add_grid(m, first, n + 1, n + 1, false);
 	}
@@ -149,7 +149,7 @@ void mesh_sheets(struct mesh *m, uint32_t n, uint32_t sheets, double gap)
 
 void mesh_balls(struct mesh *m, uint32_t n, double radius, uint64_t seed)
 {
-	begin_group(m);
+	mesh_group(m);
 	m->ball = realloc(m->ball, (m->balls + n) * sizeof(*m->ball));
 	for (uint32_t i = 0; i < n; i++) {
 		ald_vec c = { random_in(&seed, -1, 1), random_in(&seed, -1, 1),
@@ -248,7 +248,7 @@ void mesh_finish(struct mesh *m, bool as_float, bool with_mask, bool exact)
 	ald_box all = ald_box_empty(), box;
 	double size;
 
-	begin_group(m);
+	mesh_group(m);
 	p->size = sizeof(*p);
 	p->precision = exact ? ALD_PRECISION_EXACT : ALD_PRECISION_DEFAULT;
 	p->bounds = prim_bounds;

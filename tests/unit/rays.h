@@ -36,6 +36,10 @@ void mesh_field(struct mesh *, uint32_t n, double size, double height, uint64_t 
 void mesh_soup(struct mesh *, uint32_t n, double size, double edge, uint64_t seed);
 void mesh_sheets(struct mesh *, uint32_t n, uint32_t sheets, double gap); /* axis-aligned, in z */
 void mesh_balls(struct mesh *, uint32_t n, double radius, uint64_t seed);
+/* By hand: a new group, then its vertices (each returns its number) and triangles. */
+void mesh_group(struct mesh *);
+uint32_t mesh_vertex(struct mesh *, double x, double y, double z);
+void mesh_triangle(struct mesh *, uint32_t a, uint32_t b, uint32_t c);
 /* After the last: fills prims. exact: as in ALD_PRECISION_EXACT there are no triangles to be seen. */
 void mesh_finish(struct mesh *, bool as_float, bool with_mask, bool exact);
 void mesh_release(struct mesh *);

@@ -13,7 +13,7 @@
 
 #define RAYS 2048u
 
-static const char *const spec[] = { "none", "box", "sphere", "octree", "octree:leaf=1,depth=6,price=0" };
+static const char *const spec[] = { "none", "box", "sphere", "octree", "octree:leaf=1,depth=6,price=0", "bvh8" };
 enum { SPECS = sizeof(spec) / sizeof(spec[0]) };
 
 static struct shell shell;

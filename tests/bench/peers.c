@@ -151,10 +151,10 @@ static void fire1(struct peer *p, const ald_ray *ray, ald_hit *hit, uint8_t *hid
 		for (uint32_t at = 0; at < n; at += W) {                                               \
 			struct RTCRayHit##W r;                                                         \
 			int valid[W] __attribute__((aligned(64)));                                     \
-                                                                                                     \
+\
 			for (uint32_t i = 0; i < W; i++) {                                             \
 				const ald_ray *a = &ray[at + i < n ? at + i : n - 1];                  \
-                                                                                                     \
+\
 				valid[i] = at + i < n ? -1 : 0;                                        \
 				r.ray.org_x[i] = (float)a->org.x;                                      \
 				r.ray.org_y[i] = (float)a->org.y;                                      \

@@ -18,7 +18,7 @@ enum {
 	KEY_CLOCK, KEY_CROP, KEY_DRY_RUN, KEY_ERROR_LAYER, KEY_INDIRECT, KEY_INDIRECT_ERROR,
 	KEY_INDIRECT_SAMPLES, KEY_LENIENT, KEY_LIMIT, KEY_LIST_ACCELS, KEY_MEMORY, KEY_PRECISION,
 	KEY_PRINT_COMPLETION, KEY_PROGRESS, KEY_RANGE, KEY_SEED, KEY_SKIP_EXISTING, KEY_SPP,
-	KEY_STATS, KEY_TEXTURE_FILTER, KEY_TILE, KEY_VERIFY, KEY_VERSION, KEY_WRITE
+	KEY_STATS, KEY_TERMINATOR, KEY_TEXTURE_FILTER, KEY_TILE, KEY_VERIFY, KEY_VERSION, KEY_WRITE
 };
 
 #define SPP_MAX (1u << 24)
@@ -66,6 +66,10 @@ static const struct option_spec alidade_option[] = {
 	{ "texture-filter", KEY_TEXTURE_FILTER, OPTION_ARG, "HOW", COMPLETE_WORDS, "pov mip",
 	  "pictures on things: pov, one place of them a ray, as POV-Ray, or mip, the mean of what a pixel "
 	  "covers; pov is the default",
+	  NULL },
+	{ "terminator", KEY_TERMINATOR, OPTION_ARG, "HOW", COMPLETE_WORDS, "pov hanika",
+	  "where shadows begin on coarse meshes with smooth normals: pov, at the faces, as POV-Ray, or hanika, "
+	  "as on the smooth surface; pov is the default",
 	  NULL },
 	{ "bits", KEY_BITS, OPTION_ARG, "N", COMPLETE_WORDS, "8 16 32",
 	  "bits a channel: 8 or 16 for .png and .ppm, 16 or 32 for .exr", NULL },
@@ -514,6 +518,9 @@ static enum status set_option(void *arg, const struct option_spec *o, const char
 	case KEY_TEXTURE_FILTER:
 		s->render.texture_mip = !strcmp(value, "mip");
 		return s->render.texture_mip || !strcmp(value, "pov") ? STATUS_OK : wrong(d, o, value, "pov or mip");
+	case KEY_TERMINATOR:
+		s->render.lift = !strcmp(value, "hanika");
+		return s->render.lift || !strcmp(value, "pov") ? STATUS_OK : wrong(d, o, value, "pov or hanika");
 	case KEY_INDIRECT:
 		return set_indirect(s, o, value, d);
 	case KEY_PRECISION:

@@ -200,6 +200,8 @@ void settings_describe(const struct settings *s, char *out, size_t size)
 			      r->indirect == INDIRECT_CACHE ? "cache" : "off");
 	if (r->texture_mip && n >= 0 && (size_t)n < size)
 		n += snprintf(out + n, size - (size_t)n, " mip");
+	if (r->lift && n >= 0 && (size_t)n < size)
+		n += snprintf(out + n, size - (size_t)n, " terminator hanika");
 	if (r->indirect_samples && n >= 0 && (size_t)n < size)
 		n += snprintf(out + n, size - (size_t)n, " indirect samples %u", r->indirect_samples);
 	if (r->indirect_slack > 0 && n >= 0 && (size_t)n < size)

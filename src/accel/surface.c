@@ -336,3 +336,70 @@ double surface_error(const struct geometry *g, const ald_ray *ray, const ald_hit
 	(void)hit;
 	return s->error;
 }
+
+/* The face of a mesh that was hit and its leaf; in *v its corners relative to the hit, in the world. */
+static const struct prim_leaf *corners_around(const struct geometry *g, const ald_hit *hit, const struct surface *s,
+					      vec v[3], uint32_t *face)
+{
+	const struct prim_level *l = &g->set.level[0];
+	uint32_t id = hit->prim, leaf;
+	struct mat from = mat_identity;
+	enum prim_id kind;
+	vec c[3];
+
+	if (id >= l->count)
+		return NULL;
+	leaf = view_leaf(l, id, face);
+	kind = prim_level_id(l, &id);
+	if (kind == PRIM_TRIANGLE) {
+		prim_triangle(l, hit->prim, c);
+	} else if (kind == PRIM_INSTANCE) {
+		const struct prim_instance *in = &l->instance[id];
+
+		view_leaf(&g->set.level[in->level], hit->sub[0], face);
+		prim_triangle(&g->set.level[in->level], hit->sub[0], c);
+		from = prim_instance_from(&g->set, in);
+	} else {
+		return NULL;
+	}
+	for (unsigned k = 0; k < 3; k++) {
+		vec to = { 0, 0, 0 };
+
+		for (unsigned j = 0; j < 3; j++)
+			to = vec_mad(to, vec_sub(c[k], c[j]), s->bary[j]);
+		v[k] = vec_scale(mat_dir(&from, to), 1 / l->scale);
+	}
+	return &g->set.leaf[leaf];
+}
+
+/* The hit's projections onto the planes that the normals make at the corners, where it is below them, and the
+ * mean of these by the corners' weights; that of the ways to the corners themselves is none. */
+bool surface_lift(const struct geometry *g, const ald_hit *hit, const struct surface *s, vec lift[2])
+{
+	const struct prim_leaf *f;
+	const struct mesh *m;
+	const uint32_t *i;
+	uint32_t face;
+	vec v[3];
+
+	f = corners_around(g, hit, s, v, &face);
+	if (!f || f->kind != SHAPE_MESH)
+		return false;
+	m = &g->set.scene->mesh[f->mesh];
+	if (!m->normal || face >= m->smooth_count)
+		return false;
+	i = (m->normal_index ? m->normal_index : m->index) + 3 * (size_t)face;
+	lift[0] = lift[1] = vec_make(0, 0, 0);
+	for (unsigned k = 0; k < 3; k++) {
+		const float *p = m->normal + 3 * (size_t)i[k];
+		vec n = vec_make((double)p[0], (double)p[1], (double)p[2]);
+		double off;
+
+		n = vec_unit(mat_normal(&f->place.inv, n));
+		off = vec_dot(v[k], n); /* of the corner above the hit */
+		if (!isfinite(off))
+			return false;
+		lift[off < 0] = vec_mad(lift[off < 0], n, s->bary[k] * off);
+	}
+	return true;
+}

@@ -118,6 +118,10 @@ void surface_at(const struct geometry *, const ald_ray *, const ald_hit *, struc
 /* By how much u and v change along a way on the surface, if the scene asks for them. */
 void surface_uv_along(const struct geometry *, const ald_hit *, const struct surface *, vec way, double *u,
 		      double *v);
+/* How far the hit on a face with normals is below the smooth surface that these stand for, as a way to it, for
+ * shadow rays: [0] on the side the normals point to, [1] on the other. Hanika: Hacking the Shadow Terminator, Ray
+ * Tracing Gems II, 2021. False: the face is flat. */
+bool surface_lift(const struct geometry *, const ald_hit *, const struct surface *, vec lift[2]);
 /* A bound on the distance between surface.p and the true surface, in world units (R4, numerics): a
  * ray that starts at p, moved by this along n, is on that side of this surface. */
 double surface_error(const struct geometry *, const ald_ray *, const ald_hit *, const struct surface *);

@@ -37,6 +37,7 @@ struct render_options {
 	uint32_t indirect_samples; /* rays gathered a pixel, 0: default */
 	double indirect_slack; /* of a cache: how much more than by default it may be off; 0: default, 1 */
 	bool error; /* estimate standard errors: three more channels */
+	bool lift; /* shadow rays of smooth meshes start where the smooth surface would be */
 	bool verify; /* the geometry verifies: tell it of each ray what pixel it is for */
 	uint64_t seed; /* other random numbers */
 	bool camera_only; /* no shading at all: camera rays and their hits, for counting and timing */

@@ -363,6 +363,7 @@ enum status render_scene(const struct scene *scene, const struct geometry *geome
 	j.shader.footprints = options->texture_mip;
 	j.shader.marks = options->verify;
 	j.shader.one_path = j.whole.spp > 0;
+	j.shader.lifts = options->lift;
 	j.shader.soft_rounds = soft_rounds(scene, &j.whole);
 	j.shader.subsurface_rays = subsurface_rays(scene, &j.whole);
 	j.across = (j.whole.crop_width + j.whole.tile - 1) / j.whole.tile;

@@ -46,6 +46,7 @@ struct shader {
 	uint32_t soft_rounds; /* how often jittered lights are asked for, at most */
 	bool subsurface; /* light goes below some surfaces */
 	uint32_t subsurface_rays; /* from below a hit, to where light comes in */
+	bool lifts; /* shadow rays start on the smooth surface that a mesh stands for */
 	bool marks; /* rays are told their pixels, for verification */
 	bool insides; /* what rays are inside of is followed from the camera on */
 	struct open_sky {

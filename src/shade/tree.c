@@ -23,6 +23,7 @@ void tree_init(struct tree *t, struct mem_book *book)
 	t->scatter.size = sizeof(struct scatter);
 	t->beneath.size = sizeof(struct beneath);
 	t->met.size = sizeof(struct met);
+	t->lift.size = sizeof(struct lift);
 	t->layer.size = sizeof(struct lit_layer);
 	t->lit.size = sizeof(struct lit);
 	t->shadow.size = sizeof(struct shadow);
@@ -40,7 +41,7 @@ void tree_init(struct tree *t, struct mem_book *book)
 
 void tree_reset_wave(struct tree *t)
 {
-	t->met.count = t->layer.count = t->lit.count = t->shadow.count = 0;
+	t->met.count = t->lift.count = t->layer.count = t->lit.count = t->shadow.count = 0;
 	t->soft.count = t->cell.count = t->asked.count = 0;
 }
 
@@ -54,6 +55,7 @@ void tree_reset(struct tree *t)
 void tree_release(struct tree *t)
 {
 	struct buf *all[] = { &t->node, &t->part,  &t->mirror, &t->inside, &t->veil, &t->gather, &t->met, &t->layer,
+			      &t->lift,
 			      &t->lit, &t->shadow, &t->soft, &t->cell, &t->asked, &t->ray,	   &t->hit, &t->hidden,
 			      &t->record, &t->strata,
 			      &t->media.segment, &t->media.span, &t->media.reach, &t->media.sample,

@@ -153,8 +153,14 @@ struct met {
 	uint32_t first_part, part_count;
 	uint32_t first_layer, layer_count; /* over all its parts */
 	uint32_t first_gather;
+	uint32_t lift; /* 1 + an index of tree.lift, or 0 */
 	uint32_t round; /* which of the points that share random numbers and that lamps shine on: others see
 			 * them jittered otherwise */
+};
+
+/* From a hit to the smooth surface that its mesh stands for: on the side of ns, and on the other. */
+struct lift {
+	vec near, far;
 };
 
 /* A layer of a hit that light goes below. */
@@ -188,7 +194,7 @@ struct tree {
 	struct mem_book *book;
 	bool no_memory; /* sticky: some push failed */
 	struct buf node, part, mirror, inside, veil, gather, scatter; /* until folded */
-	struct buf met, layer, lit, soft, shadow, cell, asked; /* of the current wave */
+	struct buf met, lift, layer, lit, soft, shadow, cell, asked; /* of the current wave */
 	struct buf ray, hit, hidden; /* of the current call to trace */
 	struct buf beneath; /* of the current wave, until its light is known */
 	struct buf record, strata; /* for the cache of indirect light, while it is filled */

@@ -76,26 +76,45 @@ static double short_of(vec p, const struct light_ray *r)
 	return r->depth - 0x1p-40 * size;
 }
 
+/* Hanika's remedy for the terminator of coarse meshes: the ray starts above the face, on the light's side. */
+static void lift(const struct tree *t, const struct light *l, const struct met *m, struct shadow *s)
+{
+	const struct lift *f = BUF_AT(&t->lift, struct lift, m->lift - 1);
+	bool near = vec_dot(m->ns, s->dir) >= 0;
+	vec up = near ? f->near : f->far, to = vec_sub(vec_scale(s->dir, s->depth), up);
+	double length = vec_length(to);
+
+	s->org = vec_mad(vec_add(m->p, up), m->n, (vec_dot(m->n, m->ns) >= 0) == near ? m->error : -m->error);
+	s->skip = ALD_NONE; /* above it, the face itself may well be in the way: in a hollow, from behind */
+	if (l->parallel || !(length > 0))
+		return;
+	s->dir = vec_scale(to, 1 / length);
+	s->depth = length;
+}
+
 static void ask(const struct shader *sh, struct tree *t, const struct light *l, const struct met *m,
 		const struct node *n, const struct light_ray *r, struct rgb colour)
 {
 	bool air = shade_sees_air(sh, n);
 	uint32_t i = tree_push(t, &t->shadow, 1);
 
-	if (i != TREE_NONE)
-		*BUF_AT(&t->shadow, struct shadow, i) =
-			(struct shadow){ .org = shadow_origin(m, r->dir),
-					 .dir = r->dir,
-					 .depth = short_of(m->p, r),
-					 .skip = m->skip,
-					 .pixel = { n->pixel[0], n->pixel[1] },
-					 .inside = n->inside,
-					 .air = l->attenuated && !l->no_media && air,
-					 .vacuum = !air,
-					 .shadowless = l->shadowless,
-					 .projector = l->projected ? (uint32_t)(l - sh->scene->light) :
-								     SCENE_NONE,
-					 .colour = colour };
+	if (i == TREE_NONE)
+		return;
+	*BUF_AT(&t->shadow, struct shadow, i) =
+		(struct shadow){ .org = shadow_origin(m, r->dir),
+				 .dir = r->dir,
+				 .depth = short_of(m->p, r),
+				 .skip = m->skip,
+				 .pixel = { n->pixel[0], n->pixel[1] },
+				 .inside = n->inside,
+				 .air = l->attenuated && !l->no_media && air,
+				 .vacuum = !air,
+				 .shadowless = l->shadowless,
+				 .projector = l->projected ? (uint32_t)(l - sh->scene->light) :
+							     SCENE_NONE,
+				 .colour = colour };
+	if (m->lift)
+		lift(t, l, m, BUF_AT(&t->shadow, struct shadow, i));
 }
 
 /* A grid for an area light: all unknown. */

@@ -254,6 +254,21 @@ static void add_texture(struct looking *l, const struct surface *s, uint32_t tex
 	texture_visit(l->sh->scene, tex, &at, share, visit, l);
 }
 
+static uint32_t add_lift(const struct shader *sh, struct tree *t, const ald_hit *hit, const struct surface *s,
+			 bool from_inside)
+{
+	vec lift[2];
+	uint32_t i;
+
+	if (!surface_lift(sh->geometry, hit, s, lift))
+		return 0;
+	i = tree_push(t, &t->lift, 1);
+	if (i == TREE_NONE)
+		return 0;
+	*BUF_AT(&t->lift, struct lift, i) = (struct lift){ lift[from_inside], lift[!from_inside] };
+	return i + 1;
+}
+
 void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald_ray *ray,
 	       const ald_hit *hit)
 {
@@ -281,6 +296,7 @@ void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald
 	m->flags = s.flags;
 	m->light_set = s.light_set;
 	m->round = n->path;
+	m->lift = sh->lifts ? add_lift(sh, t, hit, &s, from_inside) : 0;
 	m->first_part = t->part.count;
 	m->first_layer = t->layer.count;
 	m->first_gather = t->gather.count;

@@ -313,22 +313,34 @@ static void report_nonfinite(struct run *run)
 		    run->counts.nonfinite, run->counts.nonfinite_x, run->counts.nonfinite_y);
 }
 
-/* Errors, so that -q does not silence them. False: there are some. */
+static void report_differences(struct run *run, const struct verify_list *list, enum diag_level level)
+{
+	char line[2048];
+
+	for (uint32_t i = 0; i < list->count; i++) {
+		verify_describe(run->geometry, &list->one[i], line, sizeof(line));
+		diag_report(&run->diag, level, NULL, "%s", line);
+	}
+}
+
+/* Errors, so that -q does not silence them. False: there are some. What the precision costs is none. */
 static bool report_verified(struct run *run)
 {
 	struct verify_counts c;
-	uint64_t checked = 0, different = 0;
-	char line[2048];
+	uint64_t checked = 0, different = 0, inexact = 0;
 
 	verify_get(run->geometry, &c);
 	for (int q = 0; q < VERIFY_QUESTIONS; q++) {
 		checked += c.checked[q];
 		different += c.different[q];
+		inexact += c.inexact[q];
 	}
-	for (uint32_t i = 0; i < c.first_count; i++) {
-		verify_describe(run->geometry, &c.first[i], line, sizeof(line));
-		diag_report(&run->diag, DIAG_ERROR, NULL, "%s", line);
-	}
+	report_differences(run, &c.first, DIAG_ERROR);
+	report_differences(run, &c.first_inexact, DIAG_INFO);
+	if (inexact)
+		diag_report(&run->diag, DIAG_INFO, NULL,
+			    "of %" PRIu64 " rays that were traced again in exact order, %" PRIu64 " met another "
+			    "primitive; --precision=exact would have found it", checked, inexact);
 	if (different)
 		diag_report(&run->diag, DIAG_ERROR, NULL,
 			    "of %" PRIu64 " rays that were traced again without the accelerator, %" PRIu64

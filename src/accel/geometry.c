@@ -149,7 +149,8 @@ enum status geometry_build(struct geometry **out, const struct scene *scene,
 	return st;
 }
 
-enum status geometry_judge(struct geometry **out, const struct geometry *of, struct pool *pool, struct diag *diag)
+enum status geometry_judge(struct geometry **out, const struct geometry *of, uint32_t precision, struct pool *pool,
+			   struct diag *diag)
 {
 	struct geometry *g = mem_zalloc(of->book, "verification", sizeof(*g));
 	enum status st = STATUS_OK;
@@ -162,7 +163,7 @@ enum status geometry_judge(struct geometry **out, const struct geometry *of, str
 	g->plugin = &accel_brute;
 	g->set = of->set;
 	g->borrowed = true;
-	g->precision = of->precision == ALD_PRECISION_EXACT ? ALD_PRECISION_EXACT : ALD_PRECISION_DEFAULT;
+	g->precision = precision;
 	accel_host_init(&g->host, g->book, pool, diag, g->plugin->name);
 	g->view = mem_zalloc(g->book, "verification", mem_product(g->set.level_count, sizeof(*g->view)));
 	if (!g->view)

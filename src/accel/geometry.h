@@ -84,8 +84,9 @@ void accel_occluded_n(const ald_accel_plugin *, const ald_accel *, ald_query *, 
 /* Which leaf a level's primitive belongs to, and which face of its mesh it is. */
 uint32_t view_leaf(const struct prim_level *, uint32_t id, uint32_t *face);
 
-/* The same primitives, asked by brute force at every level. */
-enum status geometry_judge(struct geometry **out, const struct geometry *, struct pool *, struct diag *);
+/* The same primitives, asked by brute force at every level, in this precision. */
+enum status geometry_judge(struct geometry **out, const struct geometry *, uint32_t precision, struct pool *,
+			   struct diag *);
 
 /* Every primitive, one after the other: what is used when no plugin was chosen. */
 extern const ald_accel_plugin accel_brute;

@@ -13,11 +13,11 @@
 
 struct verify {
 	struct mem_book *book;
-	struct geometry *judge;
-	struct verify_counts *thread; /* a worker's own; first is not used */
+	struct geometry *judge, *exact; /* NULL: not asked */
+	struct verify_counts *thread; /* a worker's own; the lists are not used */
 	uint32_t threads;
 	pthread_mutex_t lock; /* of what follows */
-	struct verify_counts all; /* first only */
+	struct verify_counts all; /* the lists only */
 };
 
 static uint64_t mix(uint64_t key, double x)
@@ -59,32 +59,21 @@ static bool comes_before(const struct verify_difference *a, const struct verify_
 /* Kept in order, so that all numbers of threads keep the same ones. */
 static void keep(struct verify *v, const struct verify_difference *d)
 {
-	struct verify_counts *c = &v->all;
+	struct verify_list *l = d->inexact ? &v->all.first_inexact : &v->all.first;
 	uint32_t i;
 
 	pthread_mutex_lock(&v->lock);
-	if (c->first_count < VERIFY_SHOWN)
-		i = c->first_count++;
-	else if (comes_before(d, &c->first[VERIFY_SHOWN - 1]))
+	if (l->count < VERIFY_SHOWN)
+		i = l->count++;
+	else if (comes_before(d, &l->one[VERIFY_SHOWN - 1]))
 		i = VERIFY_SHOWN - 1;
 	else
 		i = VERIFY_SHOWN;
-	for (; i < VERIFY_SHOWN && i && comes_before(d, &c->first[i - 1]); i--)
-		c->first[i] = c->first[i - 1];
+	for (; i < VERIFY_SHOWN && i && comes_before(d, &l->one[i - 1]); i--)
+		l->one[i] = l->one[i - 1];
 	if (i < VERIFY_SHOWN)
-		c->first[i] = *d;
+		l->one[i] = *d;
 	pthread_mutex_unlock(&v->lock);
-}
-
-static void note(struct verify *v, uint32_t thread, enum verify_question q, const ald_ray *r, const ald_hit *got,
-		 const ald_hit *want)
-{
-	struct verify_difference d = { .question = q, .purpose = (enum trace_purpose)r->reserved[2],
-				       .x = r->reserved[0], .y = r->reserved[1], .ray = *r, .got = *got,
-				       .want = *want };
-
-	v->thread[thread].different[q]++;
-	keep(v, &d);
 }
 
 /* To the bit: what a miss left in u and v means nothing. */
@@ -97,39 +86,66 @@ static bool is_same(const ald_hit *a, const ald_hit *b)
 	       a->sub[1] == b->sub[1];
 }
 
+/* The same triangle of the same copy. Another piece or side of another surface would have another t, which is
+ * what rounding makes of it. */
+static bool is_same_thing(const ald_hit *a, const ald_hit *b)
+{
+	return a->prim == b->prim && (a->prim == ALD_NONE || a->sub[0] == b->sub[0]);
+}
+
+static bool is_alike(enum verify_question q, bool inexact, const ald_hit *got, const ald_hit *want)
+{
+	if (q == VERIFY_OCCLUDED)
+		return (got->prim == ALD_NONE) == (want->prim == ALD_NONE);
+	return inexact ? is_same_thing(got, want) : is_same(got, want);
+}
+
+/* What one judge says of an answer. */
+static void hold(struct verify *v, uint32_t thread, enum verify_question q, bool inexact, const ald_ray *r,
+		 const ald_hit *got)
+{
+	struct verify_difference d = { .question = q, .purpose = (enum trace_purpose)r->reserved[2],
+				       .x = r->reserved[0], .y = r->reserved[1], .inexact = inexact, .ray = *r,
+				       .got = *got };
+
+	trace_nearest(inexact ? v->exact : v->judge, thread, r, &d.want, 1, 0);
+	if (is_alike(q, inexact, got, &d.want))
+		return;
+	(inexact ? v->thread[thread].inexact : v->thread[thread].different)[q]++;
+	keep(v, &d);
+}
+
+static void check(struct verify *v, uint32_t thread, enum verify_question q, const ald_ray *r, const ald_hit *got)
+{
+	v->thread[thread].checked[q]++;
+	if (v->judge)
+		hold(v, thread, q, false, r, got);
+	if (v->exact)
+		hold(v, thread, q, true, r, got);
+}
+
 void verify_nearest(struct verify *v, uint32_t thread, const ald_ray *r, const ald_hit *got, uint32_t n)
 {
 	for (uint32_t i = 0; i < n; i++) {
-		enum verify_question q = r[i].after == ALD_NONE ? VERIFY_NEAREST : VERIFY_NEXT;
-		ald_hit want;
-
-		if (!is_chosen(v, &r[i]))
-			continue;
-		v->thread[thread].checked[q]++;
-		trace_nearest(v->judge, thread, &r[i], &want, 1, 0);
-		if (!is_same(&got[i], &want))
-			note(v, thread, q, &r[i], &got[i], &want);
+		if (is_chosen(v, &r[i]))
+			check(v, thread, r[i].after == ALD_NONE ? VERIFY_NEAREST : VERIFY_NEXT, &r[i], &got[i]);
 	}
 }
 
 void verify_occluded(struct verify *v, uint32_t thread, const ald_ray *r, const uint8_t *hidden, uint32_t n)
 {
 	for (uint32_t i = 0; i < n; i++) {
-		ald_hit got = { .prim = hidden[i] ? 0 : ALD_NONE }, want;
+		ald_hit got = { .prim = hidden[i] ? 0 : ALD_NONE };
 
-		if (!is_chosen(v, &r[i]))
-			continue;
-		v->thread[thread].checked[VERIFY_OCCLUDED]++;
-		trace_nearest(v->judge, thread, &r[i], &want, 1, 0);
-		if ((want.prim != ALD_NONE) != !!hidden[i])
-			note(v, thread, VERIFY_OCCLUDED, &r[i], &got, &want);
+		if (is_chosen(v, &r[i]))
+			check(v, thread, VERIFY_OCCLUDED, &r[i], &got);
 	}
 }
 
 enum status verify_begin(struct geometry *g, uint32_t every, struct pool *pool, struct diag *diag)
 {
 	struct verify *v = mem_zalloc(g->book, "verification", sizeof(*v));
-	enum status st;
+	enum status st = STATUS_OK;
 
 	if (!v)
 		return diag_no_memory(diag, "verification", sizeof(*v));
@@ -141,7 +157,10 @@ enum status verify_begin(struct geometry *g, uint32_t every, struct pool *pool, 
 	v->thread = mem_zalloc(g->book, "verification", mem_product(g->threads, sizeof(*v->thread)));
 	if (!v->thread)
 		return diag_no_memory(diag, "verification", g->threads * sizeof(*v->thread));
-	st = geometry_judge(&v->judge, g, pool, diag);
+	if (g->precision != ALD_PRECISION_FAST)
+		st = geometry_judge(&v->judge, g, g->precision, pool, diag);
+	if (!st && g->precision != ALD_PRECISION_EXACT)
+		st = geometry_judge(&v->exact, g, ALD_PRECISION_EXACT, pool, diag);
 	return st;
 }
 
@@ -158,6 +177,7 @@ void verify_free(struct verify *v)
 	if (!v)
 		return;
 	geometry_free(v->judge);
+	geometry_free(v->exact);
 	mem_free(v->thread);
 	pthread_mutex_destroy(&v->lock);
 	mem_free(v);
@@ -175,6 +195,7 @@ void verify_get(const struct geometry *g, struct verify_counts *c)
 		for (int q = 0; q < VERIFY_QUESTIONS; q++) {
 			c->checked[q] += v->thread[t].checked[q];
 			c->different[q] += v->thread[t].different[q];
+			c->inexact[q] += v->thread[t].inexact[q];
 		}
 	}
 }
@@ -232,10 +253,12 @@ int verify_describe(const struct geometry *g, const struct verify_difference *d,
 		describe_hit(g, &d->got, got, sizeof(got));
 	describe_hit(g, &d->want, want, sizeof(want));
 	return snprintf(out, size,
-			"pixel %" PRIu32 ",%" PRIu32 ": %s ray, %s: %s found %s, the judge %s; ray from <%.17g, "
+			"pixel %" PRIu32 ",%" PRIu32 ": %s ray, %s: %s found %s, %s %s; ray from <%.17g, "
 			"%.17g, %.17g> along <%.17g, %.17g, %.17g>, t from %.17g to %.17g, mask %" PRIu32
 			", skip %" PRIu32 ", after %" PRIu32,
 			d->x, d->y, purpose[d->purpose < TRACE_PURPOSES ? d->purpose : 0], question[d->question],
-			g->plugin->name, got, want, r->org.x, r->org.y, r->org.z, r->dir.x, r->dir.y, r->dir.z,
+			g->plugin->name, got,
+			d->inexact ? "in exact order it is" : "the judge", want,
+			r->org.x, r->org.y, r->org.z, r->dir.x, r->dir.y, r->dir.z,
 			r->tmin, r->tmax, r->mask, r->skip, r->after);
 }

@@ -3,8 +3,12 @@
  *
  * Some of a picture's rays asked again, of the plainest code there is: --verify.
  *
+ * Two judges answer. Brute force with the arithmetic of the picture's own precision has to answer to the bit what
+ * the accelerator does; if not, the accelerator is wrong. Brute force with exact order tells how often this
+ * precision takes another primitive than the one that is really first, or misses one: what it costs to be fast.
+ *
  * Which rays is decided by their own numbers and their pixel, so that threads, tiles and batches choose alike.
- * The judge is a second geometry over the same primitives, levels and solids, in which brute force takes the
+ * A judge is a second geometry over the same primitives, levels and solids, in which brute force takes the
  * plugin's place at every level. Each ray takes time in proportion to the scene's primitives then.
  */
 #ifndef ALIDADE_ACCEL_VERIFY_H
@@ -21,14 +25,19 @@ struct verify_difference {
 	enum trace_purpose purpose;
 	uint32_t x, y; /* of the picture */
 	ald_ray ray; /* in world coordinates */
+	bool inexact; /* held against the exact order */
 	ald_hit got, want; /* the plugin's, and the judge's; of an occluded one: prim 0 for yes */
 };
 
 struct verify_counts {
 	uint32_t every; /* one ray in so many; 0: none */
-	uint64_t checked[VERIFY_QUESTIONS], different[VERIFY_QUESTIONS];
-	uint32_t first_count;
-	struct verify_difference first[VERIFY_SHOWN]; /* by y, x and the ray's numbers: the topmost ones */
+	/* different: from brute force; inexact: which primitives, from the exact order. In exact mode both are one,
+	 * and counted as the former; float kernels are held against the exact order alone. */
+	uint64_t checked[VERIFY_QUESTIONS], different[VERIFY_QUESTIONS], inexact[VERIFY_QUESTIONS];
+	struct verify_list { /* by y, x and the ray's numbers: the topmost ones */
+		uint32_t count;
+		struct verify_difference one[VERIFY_SHOWN];
+	} first, first_inexact;
 };
 
 /* From now on one ray in every is checked. [setup] */

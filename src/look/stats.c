@@ -94,10 +94,11 @@ static void text_verified(const struct stats *s, FILE *out)
 	verify_get(s->geometry, &c);
 	if (!c.every)
 		return;
-	fprintf(out, "%-28s %15s %15s\n", "verified without accelerator", "checked", "different");
+	fprintf(out, "%-28s %15s %15s %15s\n", "verified without accelerator", "checked", "different",
+		"not exact");
 	for (int q = 0; q < VERIFY_QUESTIONS; q++)
-		fprintf(out, "  %-26s %15" PRIu64 " %15" PRIu64 "\n", question_name[q], c.checked[q],
-			c.different[q]);
+		fprintf(out, "  %-26s %15" PRIu64 " %15" PRIu64 " %15" PRIu64 "\n", question_name[q],
+			c.checked[q], c.different[q], c.inexact[q]);
 }
 
 static void text_structure(const struct stats *s, FILE *out)
@@ -198,9 +199,28 @@ static void json_counters(struct json *j, const struct stats *s)
 	json_end(j);
 }
 
+static void json_differences(struct json *j, const char *key, const struct stats *s,
+			     const struct verify_list *list)
+{
+	json_array(j, key);
+	for (uint32_t i = 0; i < list->count; i++) {
+		const struct verify_difference *d = &list->one[i];
+		char text[2048];
+
+		verify_describe(s->geometry, d, text, sizeof(text));
+		json_object(j, NULL);
+		json_uint(j, "x", d->x);
+		json_uint(j, "y", d->y);
+		json_string(j, "question", question_name[d->question]);
+		json_string(j, "text", text);
+		json_end(j);
+	}
+	json_end(j);
+}
+
 static void json_verified(struct json *j, const struct stats *s)
 {
-	uint64_t checked = 0, different = 0;
+	uint64_t checked = 0, different = 0, inexact = 0;
 	struct verify_counts c;
 
 	verify_get(s->geometry, &c);
@@ -209,30 +229,22 @@ static void json_verified(struct json *j, const struct stats *s)
 	for (int q = 0; q < VERIFY_QUESTIONS; q++) {
 		checked += c.checked[q];
 		different += c.different[q];
+		inexact += c.inexact[q];
 	}
 	json_object(j, "verify");
 	json_uint(j, "every", c.every);
 	json_uint(j, "checked", checked);
 	json_uint(j, "different", different);
+	json_uint(j, "inexact", inexact);
 	for (int q = 0; q < VERIFY_QUESTIONS; q++) {
 		json_object(j, question_name[q]);
 		json_uint(j, "checked", c.checked[q]);
 		json_uint(j, "different", c.different[q]);
+		json_uint(j, "inexact", c.inexact[q]);
 		json_end(j);
 	}
-	json_array(j, "first");
-	for (uint32_t i = 0; i < c.first_count; i++) {
-		char text[2048];
-
-		verify_describe(s->geometry, &c.first[i], text, sizeof(text));
-		json_object(j, NULL);
-		json_uint(j, "x", c.first[i].x);
-		json_uint(j, "y", c.first[i].y);
-		json_string(j, "question", question_name[c.first[i].question]);
-		json_string(j, "text", text);
-		json_end(j);
-	}
-	json_end(j);
+	json_differences(j, "first", s, &c.first);
+	json_differences(j, "first_inexact", s, &c.first_inexact);
 	json_end(j);
 }
 

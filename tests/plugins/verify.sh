@@ -103,5 +103,22 @@ is "the same rays" "$(of three.json v)" "$(of one.json v)"
 ok "the same lines" cmp err one.err
 status "the truth for one ray in seven" 0 --verify 7 -o seven.ppm --stats=seven.json
 is "one in seven" "$(of seven.json '8 * v["checked"] > json.load(open("honest.json"))["verify"]["checked"] > 6 * v["checked"]')" True
+# Two floors that cross, at less of an angle than rounding can tell: which is above is not always known by default.
+cat >floors.pov <<'END'
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0.3, 700, -900> look_at 0 angle 3 }
+#macro Floor(Y) mesh2 { vertex_vectors { 3, <-70, -Y, -90>, <80, Y, -60>, <1, 0.01 * Y, 75> } face_indices { 1, <0, 1, 2> } } #end
+union { Floor(2e-12) Floor(-2e-12) pigment { rgb 1 } }
+END
+sed 's/^#version.*/&/' floors.pov >scene.pov
+status "a scene at the edge of rounding" 0 --camera-only --verify 1 -o edge.ppm --stats=edge.json
+is "no accelerator is to blame" "$(of edge.json 'v["different"]')" 0
+ok "some hits are not the ones that are really first" test "$(of edge.json 'v["nearest"]["inexact"]')" -ge 5
+is "the first are listed" "$(of edge.json 'len(v["first_inexact"])')" 5
+"$ALIDADE" -v -s 80x60 --camera-only --verify 1 -o edge.ppm scene.pov 2>err
+ok "and with -v told" grep -q 'pixel [0-9]*,[0-9]*: camera ray, the nearest hit: octree found primitive ., .*in exact order it is primitive' err
+status "--precision=exact" 0 --camera-only --precision=exact --verify 1 -o edge.ppm --stats=edge.json
+is "finds these" "$(of edge.json 'v["different"] + v["inexact"]')" 0
 status "not a number" 2 --verify 0 -o x.ppm
 tap_done

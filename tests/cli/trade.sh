@@ -41,13 +41,18 @@ for s in good:
         assert v["low"] <= v["median"] <= v["high"], (n, key)
         if key != "wrong_per_million":
             assert abs(statistics.median(m[key] for m in mine) - v["median"]) <= 1e-12 * abs(v["median"]), (n, key)
-    beaten = any(T[o] <= T[n] and E[o] <= E[n] and (T[o] < T[n] or E[o] < E[n]) for o in T)
-    assert s["front"] == (not beaten), n
     assert s["command"].startswith("alidade ") and s["command"].endswith("s.pov")
     assert all(o in s["command"] for o in s["options"])
     assert s["values"]["render_seconds"]["median"] <= s["values"]["process_seconds"]["median"]
     assert s["values"]["memory_bytes"]["median"] > 1e6
 tied = any(v["outcome"] == "tied" for v in json.load(open("a.json"))["recommendations"])
+least, front = float("inf"), set()
+for n in sorted(T, key=T.get):
+    if E[n] < 0.99 * least:
+        least = E[n]
+        front.add(n)
+assert front == {s["setting"] for s in good if s["front"]}, front
+assert not [s for s in r["settings"] if s["front"] and not s["measured"]]
 by = {s["setting"]: s for s in good}
 for v in r["recommendations"]:
     if v["outcome"] == "none":
@@ -83,7 +88,7 @@ sweep='--sweep=accel=box,none --sweep=aa=2,3 --combinations=3 --repeat=3'
 ok "a sweep" trade $sweep --json=a.json --html=a.html --max-error=0.5 s.pov -- -s 24x18
 ok "its files" test -s a.json -a -s a.html -a -s s-trade/results.jsonl
 ok "figures, front and recommendations are what the runs say" python3 check.py a.json s-trade/results.jsonl \
-	'r["complete"] and not r["random"]' 'len(good) >= 5' 'all(s["runs"] >= 3 for s in good)' \
+	'r["complete"] and not r["random"]' 'len(good) >= 4' 'all(s["runs"] >= 2 for s in good)' 'by["default"]["runs"] >= 3' \
 	'E["default"] > 0 and E["box"] == E["default"] and E["none"] == E["default"]' \
 	'{"clear", "tied"} >= {v["outcome"] for v in r["recommendations"]}' 'r["recommendations"][0]["asked"]'
 ok "no pictures are left but the reference" sh -c '[ "$(ls s-trade | grep -vc "^reference-.*pfm$")" = 1 ]'
@@ -116,8 +121,7 @@ ok "measures nothing but what could break a tie" python3 check.py b.json s-trade
 sed 's/#version/ \/\/ a comment\n&/' s.pov >t.pov && mv t.pov s.pov
 trade --sweep=aa=2,3 --combinations=0 --repeat=1 --json=c.json s.pov -- -s 24x18 >table
 ok "a comment changes no scene" python3 check.py c.json s-trade/results.jsonl 'r["runs_measured_now"] == 0'
-ok "a table" grep -q '^\*.* aa=2$' table
-is "with a row each" "$(grep -c ' 0\.[0-9]* .* \(default\|aa=[23]\)$' table)" 3
+is "a table with a row each" "$(grep -c '^[* ] *[0-9.]* [0-9.]*\.\.[0-9.]* .*  \(default\|aa=[23]\)$' table)" 3
 sed -i 's/rgb <0.8/rgb <0.7/' s.pov
 ok "another scene" trade --sweep=aa=2 --combinations=0 --repeat=1 --json=d.json s.pov -- -s 24x18
 ok "is measured" python3 -c 'import json; assert json.load(open("d.json"))["runs_kept"] == 0'

@@ -257,7 +257,7 @@ static void put_legend(const struct chart *c, const struct trade_setting **s, ui
 		fputs("</text>\n", c->out);
 		x += 34 + LETTER * 1.15 * (double)strlen(name);
 	}
-	fprintf(c->out, "<text x=\"%.1f\" y=\"18\" text-anchor=\"end\">filled: nothing is both faster and more accurate"
+	fprintf(c->out, "<text x=\"%.1f\" y=\"18\" text-anchor=\"end\">filled: nothing is both faster and as accurate"
 			"</text>\n", WIDTH - RIGHT);
 }
 

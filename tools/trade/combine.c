@@ -75,6 +75,19 @@ static uint32_t find_effects(const struct trade *t, uint32_t f, struct effect *o
 	return n;
 }
 
+/* Some options exclude each other. */
+static bool goes_together(const struct trade *t, const uint16_t *level)
+{
+	const char *option[TRADE_FACTORS * TRADE_LEVEL_OPTIONS + 1];
+	struct trade_setting s = { 0 };
+	struct diag silent = { 0 };
+	uint32_t n;
+
+	memcpy(s.level, level, sizeof(s.level));
+	n = trade_options(t, &s, option);
+	return !trade_allowed(t, (char *const *)(uintptr_t)option, n, &silent);
+}
+
 /* Each combination once: times multiply, and independent errors add as squares. */
 static uint32_t make_guesses(const struct trade *t, struct effect (*effect)[TRADE_LEVELS + 1], const uint32_t *n,
 			     struct guess *out)
@@ -98,7 +111,7 @@ static uint32_t make_guesses(const struct trade *t, struct effect (*effect)[TRAD
 			changed += e->level != 0;
 		}
 		g->error = sqrt(square > 0 ? square : 0);
-		count += changed > 1;
+		count += changed > 1 && goes_together(t, g->level);
 		for (f = 0; f < t->factors && ++at[f] == n[f]; f++)
 			at[f] = 0;
 	}

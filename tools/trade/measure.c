@@ -22,15 +22,15 @@
 
 #define SEED_FIRST 1000001 /* of references; runs have 1, 2, .. */
 #define SLOW 10 /* times the default's time: such a setting is given up */
+#define SLOW_ACCEL 4 /* the same, where nothing but the accelerator differs: that gains time or nothing */
 #define SLOW_LEAST 5.0 /* seconds more than the default's */
+#define BEHIND 1.5 /* times the time of what is as accurate: that needs no more than two runs */
 #define PLAYOFFS 3 /* settings that are not told apart get up to as many times the repetitions */
 
 /* Shares of the budget by whose end a stage ends. */
 #define END_ALONE 0.5
 #define END_PARAMETERS 0.65
 #define END_COMBINED 0.92
-
-static const char no_option[] = "";
 
 static bool picture_there(const struct trade_child *c)
 {
@@ -80,25 +80,26 @@ static enum status warm_up(struct trade *t)
 	return STATUS_OK;
 }
 
-/* The most accurate level of each kind of option that is varied; what nobody varies stays. */
+/* The most accurate level of each kind of option that is varied; what nobody varies stays. Samples spread
+ * over the pixel make the truer mean, but also stand for indirect light's, which needs more of them. */
 static const char *reference_options(struct trade *t)
 {
-	static const struct {
-		const char *varied, *option;
-	} best[] = {
-		{ "precision", "precision=exact" }, { "aa", "aa=8" }, { "spp", "aa=8" }, { "noise", "aa=8" },
-		{ "indirect", "indirect=exact" }, { "indirect", "indirect-samples=4096" },
-		{ "indirect-samples", "indirect-samples=4096" }, { "blur-samples", "blur-samples=4096" },
-	};
-	char *text = trade_text(t, "%s", no_option);
+	char spp[] = "--spp=256", *only[] = { spp };
+	struct diag silent = { 0 };
+	bool indirect = trade_sweeps(t, "indirect") || trade_sweeps(t, "indirect-samples");
+	bool pixel = trade_sweeps(t, "aa") || trade_sweeps(t, "spp") || trade_sweeps(t, "noise") ||
+		     trade_sweeps(t, "blur-samples");
+	const char *first = trade_sweeps(t, "precision") ? "precision=exact" : "", *second = "";
 
 	if (t->reference_options)
 		return t->reference_options;
-	for (size_t i = 0; i < sizeof(best) / sizeof(*best) && text; i++) {
-		if (trade_sweeps(t, best[i].varied) && !strstr(text, best[i].option))
-			text = trade_text(t, "%s%s%s", text, *text ? "+" : "", best[i].option);
-	}
-	return text;
+	if (pixel && !indirect && !trade_allowed(t, only, 1, &silent))
+		second = spp + 2;
+	else if (pixel)
+		second = indirect ? "aa=8+indirect=exact+indirect-samples=4096" : "aa=8";
+	else if (indirect)
+		second = "indirect=exact+indirect-samples=4096";
+	return trade_text(t, "%s%s%s", first, *first && *second ? "+" : "", second);
 }
 
 static enum status rename_to(struct trade *t, const char *from, const char *to)
@@ -117,7 +118,7 @@ static enum status draw_reference(struct trade *t, const char *const *option)
 
 	name_in(half[0], sizeof(half[0]), t->work, "half1.pfm");
 	name_in(half[1], sizeof(half[1]), t->work, "half2.pfm");
-	r->pictures = t->random && !t->seed ? 2 : 1;
+	r->pictures = (t->random || strstr(r->options, "spp=")) && !t->seed ? 2 : 1;
 	r->noise = 0;
 	progress_begin(&t->progress, "drawing the reference", clock_seconds());
 	for (uint32_t i = 0; i < r->pictures && !st; i++)
@@ -193,6 +194,15 @@ static enum status fail_setting(struct trade *t, struct trade_setting *s, const 
 	return trade_store_failure(t, s, c->late ? c->limit : 0);
 }
 
+/* The picture is the default's, then. */
+static bool only_accel(const struct trade *t, const struct trade_setting *s)
+{
+	const char *option[TRADE_FACTORS * TRADE_LEVEL_OPTIONS + 1];
+	uint32_t n = trade_options(t, s, option);
+
+	return n == 1 && !strncmp(option[0], "--accel=", 8);
+}
+
 static enum status run_setting(struct trade *t, struct trade_setting *s)
 {
 	const char *option[TRADE_FACTORS * TRADE_LEVEL_OPTIONS + 1];
@@ -204,7 +214,9 @@ static enum status run_setting(struct trade *t, struct trade_setting *s)
 	name_in(picture, sizeof(picture), t->work, "picture.pfm");
 	trade_options(t, s, option);
 	c.seed = r->seed = t->seed ? t->seed : s->runs + 1;
-	c.limit = s == t->setting ? 0 : t->longest;
+	c.limit = s == t->setting ? 0 : only_accel(t, s) && !(t->limit > 0) ?
+				    fmax(t->longest * SLOW_ACCEL / SLOW, SLOW_LEAST) :
+				    t->longest;
 	st = trade_child_run(t, &c);
 	if (st)
 		return st;
@@ -221,9 +233,10 @@ static enum status run_setting(struct trade *t, struct trade_setting *s)
 	return trade_store_run(t, s, r);
 }
 
-static bool due(const struct trade_setting *s)
+static bool due(const struct trade *t, const struct trade_setting *s)
 {
-	return !s->failure && s->runs < s->target && s->runs < TRADE_RUNS;
+	return !s->failure && s->runs < s->target && s->runs < TRADE_RUNS &&
+	       (s->runs < 2 || s == t->setting || !trade_far_behind(t, s, BEHIND));
 }
 
 static uint64_t count_due(const struct trade *t)
@@ -231,7 +244,7 @@ static uint64_t count_due(const struct trade *t)
 	uint64_t n = 0;
 
 	for (uint32_t i = 0; i < t->settings; i++)
-		n += due(&t->setting[i]) ? t->setting[i].target - t->setting[i].runs : 0;
+		n += due(t, &t->setting[i]) ? t->setting[i].target - t->setting[i].runs : 0;
 	return n;
 }
 
@@ -248,13 +261,14 @@ static enum status passes(struct trade *t, const char *phase, double share)
 			uint32_t i = pass % 2 ? t->settings - 1 - k : k;
 			struct trade_setting *s = &t->setting[i];
 
-			if (!due(s))
+			if (!due(t, s))
 				continue;
 			if (clock_seconds() > end && (i || s->runs))
 				break;
 			st = interrupt_asked() ? STATUS_SIGINT : run_setting(t, s);
 			progress_update(&t->progress, total - count_due(t), total, clock_seconds());
 		}
+		trade_summarise(t);
 		if (clock_seconds() > end)
 			break;
 		left = count_due(t);
@@ -263,6 +277,17 @@ static enum status passes(struct trade *t, const char *phase, double share)
 	if (count_due(t))
 		t->complete = false;
 	return st;
+}
+
+/* Two runs of each setting are the least that says anything. */
+static void warn_budget(struct trade *t)
+{
+	double picture = t->longest / SLOW, need = 2 * picture * t->settings / END_ALONE;
+
+	if (t->longest > SLOW_LEAST * SLOW / (SLOW - 1) && need > t->budget && t->setting[0].runs < t->repeat)
+		diag_report(&t->diag, DIAG_WARNING, NULL,
+			    "a picture takes %.3g s, and there are %u settings: --budget=%.3g would do them "
+			    "justice, or a smaller picture (-- -s)", picture, t->settings, need);
 }
 
 static enum status stage_alone(struct trade *t)
@@ -277,6 +302,7 @@ static enum status stage_alone(struct trade *t)
 				  t->setting[0].range[TRADE_PROCESS].median + SLOW_LEAST);
 	else if (!st && t->longest <= 0)
 		st = warm_up(t);
+	warn_budget(t);
 	if (t->limit > 0)
 		t->longest = t->limit;
 	if (!st)
@@ -310,7 +336,7 @@ static enum status stage_combined(struct trade *t)
 	if (!st && t->settings > first)
 		st = trade_store_load(t, first);
 	for (uint32_t i = first; i < t->settings; i++)
-		any = any || due(&t->setting[i]);
+		any = any || due(t, &t->setting[i]);
 	for (uint32_t i = 0; i < first && any; i++) {
 		if (t->setting[i].front || !i)
 			t->setting[i].target = t->setting[i].runs + t->repeat;
@@ -424,7 +450,7 @@ static enum status verify_all(struct trade *t)
 		struct trade_setting *s = &t->setting[i];
 		const struct trade_setting *like;
 
-		if (s->checked > 0 || !trade_measured(t, s))
+		if (s->checked > 0 || !trade_measured(t, s) || clock_seconds() > t->began + t->budget)
 			continue;
 		like = verified_like(t, s);
 		if (!like) {

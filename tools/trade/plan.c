@@ -20,15 +20,16 @@ static const struct {
 	const char *factor, *levels;
 	bool radiosity; /* only where the scene has it */
 } default_sweep[] = {
-	{ "accel", "accel=all", false },
-	{ "precision", "precision=exact,fast", false },
 	{ "aa", "aa=none,2,3,4,pov1,pov2,pov2:threshold=0.1", false },
 	{ "aa", "spp=4,16,64", false },
+	{ "aa", "spp=256", true },
 	{ "aa", "noise=0.02,0.005", false },
 	{ "indirect", "indirect=off,exact+indirect-samples=32,exact+indirect-samples=128,"
 		      "exact+indirect-samples=2048", true },
 	{ "indirect", "indirect=cache,cache+indirect-error=0.5,cache+indirect-error=2,cache+indirect-error=4,"
 		      "cache+indirect-error=4+indirect-samples=32", true },
+	{ "precision", "precision=exact,fast", false },
+	{ "accel", "accel=all", false },
 };
 #define DEFAULT_SWEEPS (sizeof(default_sweep) / sizeof(*default_sweep))
 

@@ -298,7 +298,7 @@ static void print_table(const struct trade *t, FILE *out)
 	fputs("  setting\n", out);
 	for (uint32_t i = 0; i < n; i++)
 		print_row(t, order[i], out);
-	fputs("* nothing else is both faster and more accurate\n", out);
+	fputs("* the front: nothing else is both faster and as accurate\n", out);
 	for (uint32_t i = 0; i < t->settings; i++) {
 		const struct trade_setting *s = &t->setting[i];
 

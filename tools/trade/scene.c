@@ -46,6 +46,8 @@ enum status trade_allowed(const struct trade *t, char *const *option, uint32_t o
 
 	mem_book_init(&book, 0);
 	st = parse(t, option, options, &s, &book, d);
+	if (!st)
+		st = settings_finish(&s, &t->about.job, d);
 	settings_release(&s);
 	return st;
 }

@@ -25,6 +25,7 @@
 #define TRADE_SETTINGS 1024
 #define TRADE_RUNS 48 /* of a setting */
 #define TRADE_PATH 4096
+#define TRADE_GAIN 0.99 /* an error is smaller than another one if it is below this much of it */
 
 /* What a run gives; columns.c has a line for each. A setting has the median of each over its runs. */
 enum trade_value {
@@ -83,7 +84,7 @@ struct trade_setting {
 	double checked, different; /* hits; checked is 0 where they were not */
 	const char *unverified; /* why they were not */
 	struct trade_range range[TRADE_VALUES];
-	bool front; /* nothing is both faster and more accurate */
+	bool front; /* nothing is both faster and as accurate */
 };
 
 enum trade_kind { TRADE_FASTEST, TRADE_MOST_ACCURATE };
@@ -246,6 +247,8 @@ enum status trade_measure(struct trade *);
 void trade_range_of(const double *value, uint32_t count, struct trade_range *); /* count <= TRADE_RUNS */
 void trade_summarise(struct trade *); /* ranges and the front */
 enum status trade_decide(struct trade *); /* verdicts */
+/* Something else is as accurate in a time that is less by that factor. */
+bool trade_far_behind(const struct trade *, const struct trade_setting *, double times);
 bool trade_measured(const struct trade *, const struct trade_setting *); /* time and error are known */
 
 /* report.c, html.c, chart.c */

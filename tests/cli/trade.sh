@@ -112,6 +112,9 @@ class P(html.parser.HTMLParser):
 P().feed(t)
 assert not open_, open_'
 
+ok "JSON instead of a table" sh -c '"$0" -q --verify=0 --sweep=aa=2 --repeat=1 --folder=other --json s.pov -- -s 16x12 |
+	python3 -m json.tool' "$TRADE"
+
 # Going on
 n=$(lines s-trade/results.jsonl)
 # shellcheck disable=SC2086

@@ -149,3 +149,11 @@ tests_unit_test_noise_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_noise_LDADD = $(UNIT_LIBS)
 TESTS += tests/unit/test_noise
 endif
+
+if HAVE_CMOCKA
+check_PROGRAMS += tests/unit/test_trade
+tests_unit_test_trade_SOURCES = tests/unit/test_trade.c $(TRADE_PARTS)
+tests_unit_test_trade_CPPFLAGS = $(UNIT_CPPFLAGS) -I$(top_srcdir)/tools
+tests_unit_test_trade_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_trade
+endif

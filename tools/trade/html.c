@@ -37,7 +37,7 @@ static const char style[] =
 	"table{border-collapse:collapse;font-size:13px;font-variant-numeric:tabular-nums}\n"
 	"th,td{padding:.2rem .55rem;text-align:right;border-bottom:1px solid var(--fine);white-space:nowrap}\n"
 	"th{cursor:pointer;border-bottom-color:var(--line);vertical-align:bottom}\n"
-	"th:last-child,td:last-child{text-align:left}tr.front td{font-weight:600}tr.pick td{background:var(--box)}\n";
+	"th:nth-child(2),td:nth-child(2){text-align:left}tr.front td{font-weight:600}tr.pick td{background:var(--box)}\n";
 
 static const char script[] =
 	"for(const h of document.querySelectorAll('th'))h.onclick=()=>{"
@@ -85,7 +85,7 @@ static void put_verdicts(struct trade *t, FILE *out)
 
 static void put_head(struct trade *t, FILE *out)
 {
-	fputs("<table>\n<thead><tr><th>front</th>", out);
+	fputs("<table>\n<thead><tr><th>front</th><th>setting</th>", out);
 	for (int v = 0; v < TRADE_VALUES; v++) {
 		const struct trade_column *c = &trade_column[v];
 
@@ -97,7 +97,7 @@ static void put_head(struct trade *t, FILE *out)
 		if (v == (int)t->clock)
 			fputs("<th title=\"the interval of the median\">between</th>", out);
 	}
-	fputs("<th>runs</th><th>setting</th></tr></thead>\n<tbody>\n", out);
+	fputs("<th>runs</th></tr></thead>\n<tbody>\n", out);
 }
 
 static void put_cell(FILE *out, double value, const char *text)
@@ -123,6 +123,9 @@ static void put_row(struct trade *t, const struct trade_setting *s, FILE *out)
 
 	fprintf(out, "<tr class=\"%s%s\">", s->front ? "front" : "", picked(t, s) ? " pick" : "");
 	put_cell(out, s->front ? 0 : 1, s->front ? "●" : "");
+	fputs("<td title=\"", out);
+	trade_escape(out, trade_command(t, s));
+	put_element(out, "\">", s->label, "</td>");
 	for (int v = 0; v < TRADE_VALUES; v++) {
 		const struct trade_range *r = &s->range[v];
 
@@ -136,9 +139,7 @@ static void put_row(struct trade *t, const struct trade_setting *s, FILE *out)
 		trade_value_text((enum trade_value)v, r->low, text, sizeof(text));
 		fprintf(out, "<td data-v=\"%.9g\">%s–%s</td>", r->high - r->low, text, high);
 	}
-	fprintf(out, "<td data-v=\"%u\">%u</td><td title=\"", s->runs, s->runs);
-	trade_escape(out, trade_command(t, s));
-	put_element(out, "\">", s->label, "</td></tr>\n");
+	fprintf(out, "<td data-v=\"%u\">%u</td></tr>\n", s->runs, s->runs);
 }
 
 static void put_table(struct trade *t, FILE *out)

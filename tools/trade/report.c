@@ -119,9 +119,9 @@ static const char *ask_text(struct trade *t, const struct trade_ask *a)
 
 	value_with_unit(v, a->bound, bound, sizeof(bound));
 	if (a->own)
-		return a->kind == TRADE_FASTEST ? "fastest that is as accurate as the default" :
-						  "most accurate that is as fast as the default";
-	return trade_text(t, "%s within a %s of %s", a->kind == TRADE_FASTEST ? "fastest" : "most accurate",
+		return a->kind == TRADE_FASTEST ? "Fastest that is as accurate as the default" :
+						  "Most accurate that is as fast as the default";
+	return trade_text(t, "%s with %s of at most %s", a->kind == TRADE_FASTEST ? "Fastest" : "Most accurate",
 			  trade_column[v].title, bound);
 }
 
@@ -164,7 +164,7 @@ const char *trade_verdict_text(struct trade *t, const struct trade_verdict *v)
 
 static const char *ties_text(struct trade *t, const struct trade_verdict *v)
 {
-	const char *text = "no verdict: times are not told apart from those of ";
+	const char *text = "No verdict: times are not told apart from those of ";
 
 	for (uint32_t i = 0; i < v->ties && i < 4 && text; i++)
 		text = trade_text(t, "%s%s%s", text, i ? ", " : "", v->tied[i]->label);
@@ -176,7 +176,7 @@ const char *trade_outcome_text(struct trade *t, const struct trade_verdict *v)
 	switch (v->outcome) {
 	case TRADE_TIED: return ties_text(t, v);
 	case TRADE_UNSURE:
-		return "no verdict: too few runs to tell how times vary; give it more --budget";
+		return "No verdict: too few runs to tell how times vary; give it more --budget";
 	default: return NULL;
 	}
 }
@@ -252,10 +252,21 @@ const char *trade_note(struct trade *t, uint32_t i)
 	}
 }
 
+static bool has_nonfinite(const struct trade *t)
+{
+	for (uint32_t i = 0; i < t->settings; i++) {
+		if (t->setting[i].range[TRADE_NONFINITE].high > 0)
+			return true;
+	}
+	return false;
+}
+
 bool trade_shown(const struct trade *t, enum trade_value v, bool wide)
 {
 	if (v == TRADE_WRONG)
 		return has_wrong(t);
+	if (v == TRADE_NONFINITE)
+		return has_nonfinite(t);
 	return wide || trade_column[v].narrow || v == t->clock || v == t->error;
 }
 

@@ -37,7 +37,8 @@ static const char style[] =
 	"table{border-collapse:collapse;font-size:13px;font-variant-numeric:tabular-nums}\n"
 	"th,td{padding:.2rem .55rem;text-align:right;border-bottom:1px solid var(--fine);white-space:nowrap}\n"
 	"th{cursor:pointer;border-bottom-color:var(--line);vertical-align:bottom}\n"
-	"th:nth-child(2),td:nth-child(2){text-align:left}tr.front td{font-weight:600}tr.pick td{background:var(--box)}\n";
+	"th:nth-child(2),td:nth-child(2){text-align:left}\n"
+	"tr.front td{font-weight:600}tr.pick td{background:var(--box)}\n";
 
 static const char script[] =
 	"for(const h of document.querySelectorAll('th'))h.onclick=()=>{"

@@ -20,10 +20,10 @@
 #include "trade/trade.h"
 
 enum {
-	KEY_BUDGET = OPTION_LONG_ONLY, KEY_CHANGED, KEY_CLOCK, KEY_COMBINATIONS, KEY_ERROR, KEY_FOLDER, KEY_FRESH,
-	KEY_HTML, KEY_JSON, KEY_LIMIT, KEY_LINEAR, KEY_MAX_ERROR, KEY_MAX_TIME, KEY_PRINT_COMPLETION,
-	KEY_PROGRAM, KEY_PROGRESS, KEY_REFERENCE, KEY_REFERENCE_OPTIONS, KEY_REPEAT, KEY_SWEEP, KEY_VERIFY,
-	KEY_VERSION
+	KEY_BUDGET = OPTION_LONG_ONLY, KEY_CHANGED, KEY_CLOCK, KEY_COMBINATIONS, KEY_CONFIRM, KEY_ERROR,
+	KEY_FOLDER, KEY_FRESH, KEY_HTML, KEY_JSON, KEY_LIMIT, KEY_LINEAR, KEY_MAX_ERROR, KEY_MAX_TIME,
+	KEY_PRINT_COMPLETION, KEY_PROGRAM, KEY_PROGRESS, KEY_REFERENCE, KEY_REFERENCE_OPTIONS, KEY_REPEAT,
+	KEY_SWEEP, KEY_VERIFY, KEY_VERSION
 };
 
 static const struct option_spec trade_option[] = {
@@ -64,6 +64,8 @@ static const struct option_spec trade_option[] = {
 	  "recommend the fastest setting with an error of at most E", "Recommendations" },
 	{ "max-time", KEY_MAX_TIME, OPTION_ARG, "SECONDS", COMPLETE_NOTHING, NULL,
 	  "recommend the most accurate setting that takes at most SECONDS", NULL },
+	{ "confirm", KEY_CONFIRM, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
+	  "draw what is recommended again, with other random numbers, and say whether its figures hold", NULL },
 	{ "error", KEY_ERROR, OPTION_ARG, "WHICH", COMPLETE_WORDS, "rmse bias p99 max changed",
 	  "the error that counts: rmse, bias, p99, max or changed; rmse is the default", NULL },
 	{ "clock", KEY_CLOCK, OPTION_ARG, "WHICH", COMPLETE_WORDS, "process render cpu",
@@ -199,6 +201,7 @@ static void set_text(struct run *run, int key, const char *value)
 		t->want_json = true;
 		t->json = value;
 		break;
+	case KEY_CONFIRM: t->confirm = true; break;
 	case KEY_FRESH: t->fresh = true; break;
 	case KEY_LINEAR: t->space = DIFF_LINEAR; break;
 	case 'q': t->verbosity = -1; break;

@@ -155,6 +155,14 @@ import json
 s = json.load(open("g.json"))["settings"][1]
 assert s["setting"] == "aa=64" and "--limit" in s["failure"], s'
 
+# Errors are the same whoever draws; of times nothing is said here.
+ok "confirming" trade --sweep=aa=2 --repeat=3 --confirm --json=k.json s.pov -- -s 24x18
+ok "holds" python3 -c '
+import json
+r = json.load(open("k.json"))["recommendations"]
+assert r and all(v["again"]["runs"] == 3 and v["again"]["error_holds"] for v in r)
+assert all(isinstance(v["again"]["time_holds"], bool) for v in r)'
+
 # Errors
 ok "the truth itself" "$ALIDADE" -q -s 24x18 -o truth.pfm s.pov
 ok "as reference" trade --reference=truth.pfm --sweep=accel=box --repeat=1 --json=h.json s.pov -- -s 24x18

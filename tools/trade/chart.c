@@ -20,7 +20,9 @@
 #define BAND 30.0 /* height of the band of zeros */
 #define LETTER 6.3 /* width of one at 11 pixels, a little more than usual */
 #define LINE 13.0
-#define LABEL_LONGEST 44
+#define LABEL_LONGEST 64
+#define RINGS 6
+#define RINGS_BEATEN 2 /* who is not on the front gets a label only where there is room */
 #define BOXES 512
 
 struct axis {
@@ -203,7 +205,8 @@ static double overlap(const struct chart *c, const struct box *b)
 /* Rings of places around the point: the first that is free, with a line to it if it is far. */
 static void put_label(struct chart *c, const struct trade_setting *s)
 {
-	static const double ring[] = { 9, 22, 38, 58, 84, 116 };
+	static const double ring[RINGS] = { 9, 22, 38, 58, 84, 116 };
+	int rings = s->front || s->stage == TRADE_BASE ? RINGS : RINGS_BEATEN;
 	double x = place(&c->x, s->range[c->t->clock].median);
 	double y = place(&c->y, fabs(s->range[c->t->error].median)), width, best = HUGE_VAL;
 	struct box found = { 0 };
@@ -213,7 +216,7 @@ static void put_label(struct chart *c, const struct trade_setting *s)
 	snprintf(text, sizeof(text), "%.*s%s", LABEL_LONGEST, s->label,
 		 strlen(s->label) > LABEL_LONGEST ? "…" : "");
 	width = LETTER * fmin((double)strlen(s->label), LABEL_LONGEST + 1);
-	for (size_t r = 0; r < sizeof(ring) / sizeof(*ring) && best > 0; r++) {
+	for (int r = 0; r < rings && best > 0; r++) {
 		for (int k = 0; k < 12 && best > 0; k++) {
 			double a = (k % 2 ? -1 : 1) * (k / 2 * 2 + 1) * 0.2618, dx = cos(a), dy = sin(a);
 			double cx = x + ring[r] * dx, cy = y - ring[r] * dy;
@@ -228,7 +231,7 @@ static void put_label(struct chart *c, const struct trade_setting *s)
 			}
 		}
 	}
-	if (best > 400) /* unreadable; the point's title tells */
+	if (best > (s->front ? 400 : 0)) /* unreadable; the point's title tells */
 		return;
 	if (far)
 		fprintf(c->out, "<path class=\"lead\" d=\"M%.1f %.1fL%.1f %.1f\"/>", x, y,

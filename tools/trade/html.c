@@ -72,12 +72,14 @@ static void put_verdicts(struct trade *t, FILE *out)
 
 	for (uint32_t i = 0; i < t->verdicts; i++) {
 		const struct trade_verdict *v = &t->verdict[i];
-		const char *more = trade_outcome_text(t, v);
+		const char *more = trade_outcome_text(t, v), *again = trade_confirm_text(t, v);
 
 		fprintf(out, "<div class=\"rec %s\">", outcome[v->outcome]);
 		put_element(out, "<p>", trade_verdict_text(t, v), "</p>");
 		if (more)
 			put_element(out, "<p class=\"soft\">", more, "</p>");
+		if (again)
+			put_element(out, "<p class=\"soft\">", again, "</p>");
 		if (v->pick)
 			put_element(out, "<p><code>", trade_command(t, v->pick), "</code></p>");
 		fputs("</div>\n", out);
@@ -159,7 +161,8 @@ static void put_table(struct trade *t, FILE *out)
 
 		if (s->runs && !s->failure)
 			continue;
-		put_element(out, "<p>Not measured: <code>", s->label, "</code>: ");
+		put_element(out, s->runs ? "<p>Not repeated: <code>" : "<p>Not measured: <code>", s->label,
+			    "</code>: ");
 		put_element(out, "", s->failure ? s->failure : "no time left", "</p>\n");
 	}
 }

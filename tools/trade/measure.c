@@ -203,29 +203,41 @@ static bool only_accel(const struct trade *t, const struct trade_setting *s)
 	return n == 1 && !strncmp(option[0], "--accel=", 8);
 }
 
-static enum status run_setting(struct trade *t, struct trade_setting *s)
+/* One process and its picture's figures. If c->message is not empty it failed, and r is of no use. */
+enum status trade_run_once(struct trade *t, const struct trade_setting *s, struct trade_child *c,
+			   struct trade_run *r)
 {
 	const char *option[TRADE_FACTORS * TRADE_LEVEL_OPTIONS + 1];
 	char picture[TRADE_PATH + 16];
-	struct trade_run *r = &s->run[s->runs];
-	struct trade_child c = { .option = option, .picture = picture };
 	enum status st;
 
 	name_in(picture, sizeof(picture), t->work, "picture.pfm");
 	trade_options(t, s, option);
-	c.seed = r->seed = t->seed ? t->seed : s->runs + 1;
-	c.limit = s == t->setting ? 0 : only_accel(t, s) && !(t->limit > 0) ?
-				    fmax(t->longest * SLOW_ACCEL / SLOW, SLOW_LEAST) :
-				    t->longest;
-	st = trade_child_run(t, &c);
+	c->option = option;
+	c->picture = picture;
+	st = trade_child_run(t, c);
+	if (st || !picture_there(c))
+		return st;
+	c->message[0] = 0; /* a budget that was missed, say, is still a picture */
+	memcpy(r->value, c->value, sizeof(r->value));
+	return take_figures(t, s, r, picture);
+}
+
+static enum status run_setting(struct trade *t, struct trade_setting *s)
+{
+	struct trade_run *r = &s->run[s->runs];
+	struct trade_child c = { .seed = t->seed ? t->seed : s->runs + 1 };
+	enum status st;
+
+	r->seed = c.seed;
+	if (s != t->setting)
+		c.limit = only_accel(t, s) && !(t->limit > 0) ? fmax(t->longest * SLOW_ACCEL / SLOW, SLOW_LEAST) :
+								t->longest;
+	st = trade_run_once(t, s, &c, r);
 	if (st)
 		return st;
-	if (!picture_there(&c))
+	if (c.message[0])
 		return fail_setting(t, s, &c);
-	memcpy(r->value, c.value, sizeof(r->value));
-	st = take_figures(t, s, r, picture);
-	if (st)
-		return st;
 	s->runs++;
 	t->made++;
 	diag_report(&t->diag, DIAG_INFO, NULL, "%s: %.3f s, RMSE %.4g", s->label, r->value[TRADE_PROCESS],
@@ -436,6 +448,25 @@ static enum status verify(struct trade *t, struct trade_setting *s)
 	return s->unverified ? STATUS_OK : STATUS_FAILED;
 }
 
+/* Once for each accelerator and precision, while there is time. */
+static enum status verify_setting(struct trade *t, struct trade_setting *s)
+{
+	const struct trade_setting *like;
+
+	if (s->checked > 0 || s->unverified || !trade_measured(t, s))
+		return STATUS_OK;
+	like = verified_like(t, s);
+	if (like) {
+		s->checked = like->checked;
+		s->different = like->different;
+		s->unverified = like->unverified;
+		return STATUS_OK;
+	}
+	if (clock_seconds() > t->began + t->budget)
+		return STATUS_OK;
+	return interrupt_asked() ? STATUS_SIGINT : verify(t, s);
+}
+
 static enum status verify_all(struct trade *t)
 {
 	char option[40], *list[] = { option };
@@ -446,20 +477,13 @@ static enum status verify_all(struct trade *t)
 	if (!t->verify || trade_allowed(t, list, 1, &silent))
 		return STATUS_OK;
 	progress_begin(&t->progress, "checking hits", clock_seconds());
-	for (uint32_t i = 0; i < t->settings && !st; i++) {
-		struct trade_setting *s = &t->setting[i];
-		const struct trade_setting *like;
+	for (int pass = 0; pass < 2; pass++) { /* the front is what may be recommended */
+		for (uint32_t i = 0; i < t->settings && !st; i++) {
+			struct trade_setting *s = &t->setting[i];
 
-		if (s->checked > 0 || !trade_measured(t, s) || clock_seconds() > t->began + t->budget)
-			continue;
-		like = verified_like(t, s);
-		if (!like) {
-			st = interrupt_asked() ? STATUS_SIGINT : verify(t, s);
-			continue;
+			if (pass || s->front || !i)
+				st = verify_setting(t, s);
 		}
-		s->checked = like->checked;
-		s->different = like->different;
-		s->unverified = like->unverified;
 	}
 	progress_end(&t->progress, clock_seconds());
 	return st;
@@ -484,7 +508,9 @@ static enum status playoff(struct trade *t)
 	if (!st)
 		st = passes(t, "deciding", 1);
 	trade_summarise(t);
-	return st ? st : trade_decide(t);
+	if (!st)
+		st = trade_decide(t);
+	return !st && t->confirm ? trade_confirm(t) : st;
 }
 
 enum status trade_measure(struct trade *t)

@@ -181,6 +181,20 @@ const char *trade_outcome_text(struct trade *t, const struct trade_verdict *v)
 	}
 }
 
+const char *trade_confirm_text(struct trade *t, const struct trade_verdict *v)
+{
+	char time[40], error[40];
+
+	if (!v->time_again.count)
+		return NULL;
+	trade_value_text(t->clock, v->time_again.median, time, sizeof(time));
+	trade_value_text(t->error, v->error_again.median, error, sizeof(error));
+	return trade_text(t, "Drawn again %u times: %s %s %s, %s its interval; %s %s, %s its interval.",
+			  v->time_again.count, trade_column[t->clock].title, time, trade_column[t->clock].unit,
+			  v->time_holds ? "inside" : "OUTSIDE", trade_column[t->error].title, error,
+			  v->error_holds ? "inside" : "OUTSIDE");
+}
+
 static const char *reference_note(struct trade *t)
 {
 	const struct trade_reference *r = &t->reference;
@@ -314,7 +328,8 @@ static void print_table(const struct trade *t, FILE *out)
 		const struct trade_setting *s = &t->setting[i];
 
 		if (!s->runs || s->failure)
-			fprintf(out, "not measured: %s: %s\n", s->label, s->failure ? s->failure : "no time left");
+			fprintf(out, "not %s: %s: %s\n", s->runs ? "repeated" : "measured", s->label,
+				s->failure ? s->failure : "no time left");
 	}
 }
 
@@ -331,11 +346,13 @@ void trade_print(struct trade *t, FILE *out)
 	}
 	for (uint32_t i = 0; i < t->verdicts; i++) {
 		const struct trade_verdict *v = &t->verdict[i];
-		const char *outcome = trade_outcome_text(t, v);
+		const char *outcome = trade_outcome_text(t, v), *again = trade_confirm_text(t, v);
 
 		fprintf(out, "\n%s\n", trade_verdict_text(t, v));
 		if (outcome)
 			fprintf(out, "  %s\n", outcome);
+		if (again)
+			fprintf(out, "  %s\n", again);
 		if (v->pick)
 			fprintf(out, "  %s\n", trade_command(t, v->pick));
 	}
@@ -391,6 +408,15 @@ static void json_verdict(struct trade *t, struct json *j, const struct trade_ver
 	json_string(j, "setting", v->pick ? v->pick->label : NULL);
 	json_string(j, "command", v->pick ? trade_command(t, v->pick) : NULL);
 	json_string(j, "text", trade_verdict_text(t, v));
+	if (v->time_again.count) {
+		json_object(j, "again");
+		json_uint(j, "runs", v->time_again.count);
+		json_double(j, trade_column[t->clock].key, v->time_again.median);
+		json_bool(j, "time_holds", v->time_holds);
+		json_double(j, trade_column[t->error].key, v->error_again.median);
+		json_bool(j, "error_holds", v->error_holds);
+		json_end(j);
+	}
 	json_array(j, "tied");
 	for (uint32_t i = 0; i < v->ties; i++)
 		json_string(j, NULL, v->tied[i]->label);

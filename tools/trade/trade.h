@@ -102,6 +102,8 @@ struct trade_verdict {
 	const struct trade_setting *pick; /* for TRADE_NOTHING: what comes nearest, or NULL */
 	const struct trade_setting **tied; /* not told apart from it */
 	uint32_t ties;
+	struct trade_range time_again, error_again; /* of runs made to confirm it; count 0: there were none */
+	bool time_holds, error_holds; /* their medians lie in the intervals found before */
 };
 #define TRADE_ASKS 4
 
@@ -127,7 +129,7 @@ struct trade_planned;
 struct trade {
 	/* What was asked for. */
 	const char *scene, *program, *folder, *reference_file, *reference_options, *json, *html;
-	bool want_json, fresh;
+	bool want_json, fresh, confirm;
 	const char **base; /* options that every run has */
 	uint32_t base_count;
 	uint32_t repeat, combinations, verify;
@@ -243,6 +245,10 @@ enum status trade_apart(struct trade *, enum status (*job)(struct trade *, void 
 enum status trade_reference_make(struct trade *);
 enum status trade_measure(struct trade *);
 
+/* confirm.c: what is recommended is drawn again, with other random numbers; nothing of it is kept. */
+enum status trade_confirm(struct trade *);
+enum status trade_run_once(struct trade *, const struct trade_setting *, struct trade_child *, struct trade_run *);
+
 /* judge.c */
 void trade_range_of(const double *value, uint32_t count, struct trade_range *); /* count <= TRADE_RUNS */
 void trade_summarise(struct trade *); /* ranges and the front */
@@ -262,6 +268,7 @@ uint32_t trade_order(const struct trade *, const struct trade_setting **order);
 const char *trade_verdict_text(struct trade *, const struct trade_verdict *);
 /* Why that is no verdict; NULL: it is one. */
 const char *trade_outcome_text(struct trade *, const struct trade_verdict *);
+const char *trade_confirm_text(struct trade *, const struct trade_verdict *); /* NULL: it was not tried */
 /* Is there anything to show in that column? wide: there is room for all. */
 bool trade_shown(const struct trade *, enum trade_value, bool wide);
 void trade_escape(FILE *out, const char *s); /* for HTML */

@@ -5,7 +5,7 @@
     gallery.py [NAME...]
 
 Environment: ALIDADE, ALIDADE_SRC, ALIDADE_BUILD. The files stay in ALIDADE_BUILD/tests/gallery, the report is
-ALIDADE_BUILD/tests/gallery.html. What is compared, and within what bounds, breadth.py says of ordinary files.
+ALIDADE_BUILD/tests/gallery.html. What is compared, and within what bounds, against.py says.
 """
 import concurrent.futures
 import os
@@ -15,6 +15,7 @@ import subprocess
 import sys
 import traceback
 
+import against
 import breadth
 import picture
 import renderers
@@ -36,19 +37,12 @@ def export(folder, names):
     return found
 
 
-def read(path):
-    with open(path, encoding='utf-8') as file:
-        return file.read()
-
-
-def attempt(name, folder):
-    outcome = breadth.Outcome(0)
-    outcome.number, outcome.name = name, name
+def attempt(number, name, folder):
+    outcome = breadth.Outcome(number)
+    outcome.name = name
     try:
         base = os.path.join(folder, name)
-        breadth.direct(outcome, read(os.path.join(base, 'scene.pov')), base)
-        if not os.environ.get('ALIDADE_BREADTH_DIRECT'):
-            breadth.indirect(outcome, read(os.path.join(base, 'hard.pov')), base)
+        against.compare(outcome, os.path.join(base, 'scene.pov'), base, os.path.join(base, 'hard.pov'))
     except (renderers.Failed, picture.Unreadable, OSError, subprocess.TimeoutExpired) as failure:
         outcome.problem = str(failure)
     except Exception:
@@ -70,7 +64,7 @@ def main():
         return
     page = report.Report()
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        for outcome in pool.map(lambda name: attempt(name, folder), names):
+        for outcome in pool.map(lambda each: attempt(*each, folder), enumerate(names)):
             breadth.tell(outcome, page)
     page.write(folder + '.html')
     tap.note('report: %s.html' % folder)

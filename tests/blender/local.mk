@@ -1,7 +1,7 @@
 # Varied Blender files against POV-Ray's pictures of them; only under ./dev check --all.
 TESTS += tests/blender/breadth.sh tests/blender/ordinary.sh tests/blender/gallery.sh
 EXTRA_DIST += tests/blender/breadth.sh tests/blender/ordinary.sh tests/blender/gallery.sh tests/blender/breadth.py \
-	tests/blender/gallery.py tests/blender/gallery_export.py \
+	tests/blender/against.py tests/blender/gallery.py tests/blender/gallery_export.py \
 	tests/blender/kinds.py tests/blender/make.py tests/blender/ordinary.py tests/blender/procedural.py
 # Our own exporter; left out where there is no Blender.
 TESTS += tests/blender/exporter.sh

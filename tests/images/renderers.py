@@ -19,6 +19,10 @@ class Failed(Exception):
     pass
 
 
+class TooLong(Failed):
+    pass
+
+
 NONFINITE = 6 # Alidade's exit status
 
 
@@ -27,7 +31,7 @@ def _run(command, cwd=None, limit=1800, good=(0,)):
         done = subprocess.run(command, cwd=cwd, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               stdin=subprocess.DEVNULL, timeout=limit, check=False)
     except subprocess.TimeoutExpired:
-        raise Failed('%s took more than %d s' % (' '.join(command), limit)) from None
+        raise TooLong('%s took more than %d s' % (' '.join(command), limit)) from None
     text = done.stdout.decode('utf-8', 'replace')
     if done.returncode not in good:
         raise Failed('%s: exit status %d\n%s' % (' '.join(command), done.returncode, text[-1500:]))
@@ -43,7 +47,7 @@ def alidade(scene, out, size, accel='octree', threads=2, aa=None, crop=None, mor
     return _run(command + list(more) + [scene], good=good)
 
 
-def povray(scene, out, size, aa=None, factor=1):
+def povray(scene, out, size, aa=None, factor=1, limit=1800):
     """Render a scene to out (.exr) with POV-Ray, factor times enlarged; gives the picture.
 
     Debian's POV-Ray opens files in the current folder and the temporary one only.
@@ -58,5 +62,5 @@ def povray(scene, out, size, aa=None, factor=1):
         with open(local, 'w', encoding='utf-8') as file:
             file.write(text)
     _run(['povray', '+Ipovray-input.pov', '+O' + os.path.basename(out), '+W%d' % size[0],
-          '+H%d' % size[1]] + POVRAY + POVRAY_AA[aa], cwd=folder)
+          '+H%d' % size[1]] + POVRAY + POVRAY_AA[aa], cwd=folder, limit=limit)
     return picture.read(out)

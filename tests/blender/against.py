@@ -1,0 +1,250 @@
+# SPDX-FileCopyrightText: 2026 The Alidade authors
+# SPDX-License-Identifier: Apache-2.0
+"""An ordinary scene of Blender's against POV-Ray's pictures of it: used by breadth.py and gallery.py.
+
+A scene is drawn three times.
+(a) Without its radiosity block, all else as it is. Where nothing is random 99.5 % of the pixels have to be
+    within 1/255; where a lamp jitters or a lens blurs, both programs take many samples a pixel, and RMSE and mean
+    signed error are judged.
+(b) With radiosity, and without what makes noise or multiplies rays in both programs and which (a) has judged:
+    focal blur, jitter, grain, anti-aliasing. POV-Ray works at high quality: RMSE and mean signed error again, for
+    both methods.
+(c) As it is: there has to be a picture, of numbers.
+
+How good POV-Ray's picture of (b) is. The issue of it is count 1600, error_bound 0.1, nearest_count 10. The first
+picture is of count 400, which is nearer than 0.001 (RMSE) to that of 1600: CONVERGED below tells of files where both
+were made, and one file in twenty is measured again in each run. If it is missed, the next is of count 1600, then one
+of 160x120, in which a pixel at an edge counts for less, and the cache's places lie closer: the bounds are the same.
+
+How good ours is. The picture by rays is the mean of two with other seeds, whose difference tells its noise; they
+take more rays until that is below half the bound.
+
+POV-Ray 3.7 forgets, after it has gathered light at a point, that the rays to come are no longer gathering ones: as
+the last of those it asks for objects of full importance, and all with less, which is what the add-on gives to each,
+are black in the rest of that pixel's tree of mirrored and refracted rays. Importance only saves rays, so POV-Ray gets
+the scene without. Ours has it. Where a mirror's exponent makes no numbers of negative light, POV-Ray's cache spreads
+these over its picture: such a file is compared without exponents. And POV-Ray's rays go on without end between
+surfaces of ior 1, which it does not count: where it takes minutes for a picture of a second, both programs get an ior
+of 1.000001, as which such surfaces count.
+"""
+import os
+import re
+
+import numpy
+
+import measure
+import picture
+import renderers
+
+SIZE = (160, 120)
+SMALL = (96, 72) # where POV-Ray needs minutes for a picture without noise, and figures are statistics
+TINY = (64, 48)
+LEAST = 99.5
+RMSE, MEAN = 0.004, 0.001
+METHODS = (('exact', RMSE, MEAN), ('cache', 1.5 * RMSE, 2 * MEAN))
+RADIOSITY = re.compile(r'\bradiosity\s*\{[^{}]*\}')
+# What the add-on's coarse cache is an approximation of.
+HIGH = {'error_bound': '0.1', 'nearest_count': '10', 'pretrace_start': '0.08', 'minimum_reuse': '0.002'}
+LEVELS = ((TINY, '250'), (SMALL, '1600'), (SIZE, '1600'))
+CONVERGED = 0.001
+EVERY = 20
+RAYS, MOST_RAYS = 256, 16384 # a picture, of two
+# Focal blur is its own anti-aliasing; the add-on's few rays are noise of up to 0.02.
+BLUR = {r'blur_samples\s+\d+(\s+\d+)?': 'blur_samples 600 600', r'variance\s+1/\d+': 'variance 1/10000000',
+        r'confidence\s+[\d.]+': 'confidence 0.99'}
+NUMBER = r'[-+.\deE]+'
+LENS = re.compile(r'\b(?:aperture\s+%s|blur_samples\s+\d+(?:\s+\d+)?|variance\s+1/\d+|confidence\s+%s|'
+                  r'focal_point\s*<[^<>]*>)' % (NUMBER, NUMBER))
+GRAIN = re.compile(r'\bcrand\s+%s' % NUMBER)
+JITTER = re.compile(r'\bjitter\b')
+IMPORTANCE = re.compile(r'\bradiosity\s*\{\s*importance\s+%s\s*\}' % NUMBER)
+EXPONENT = re.compile(r'\bexponent\s+%s' % NUMBER)
+IOR_ONE = re.compile(r'\bior\s+1(?:\.0*)?(?![.\d])')
+PATIENCE = 300 # s
+MOST_VOID = 0.03 # of a picture of POV-Ray's may be no numbers
+RANDOM = re.compile(r'\b(?:jitter|aperture|crand)\b')
+ENDLESS = 'with ior 1.000001 for 1, where POV-Ray\'s rays have no end'
+EXPONENTS = 'without mirrors\' exponents, which make no numbers of much of POV-Ray\'s picture'
+
+
+def written(path, text):
+    with open(path, 'w', encoding='utf-8') as file:
+        file.write(text)
+    return path
+
+
+def alike(figures, rmse, mean):
+    """What is worse than allowed of a picture with random numbers in it."""
+    found = figures.complaints(0, mean)
+    if figures.rmse > rmse:
+        found.append('RMSE %.6f, at most %g is wanted' % (figures.rmse, rmse))
+    return found
+
+
+def allowed(theirs):
+    """Where POV-Ray's colours are no numbers (a mirror's exponent on negative light), ours may be none."""
+    return (0,) if numpy.isfinite(theirs).all() else (0, renderers.NONFINITE)
+
+
+def void(theirs, text):
+    """Are there so many pixels that are no numbers, as a mirror's exponent makes of negative light?"""
+    return (~numpy.isfinite(theirs)).any(axis=2).mean() > MOST_VOID and EXPONENT.search(text)
+
+
+def converging(text, noisy):
+    """The scene for POV-Ray so that nothing random is left to see, and both programs' anti-aliasing."""
+    if not re.search(r'\baperture\b', text):
+        return text, 'many' if noisy else None
+    for words, better in BLUR.items():
+        text = re.sub(r'\b' + words, better, text)
+    return text, None
+
+
+def direct(outcome, text, base):
+    """(a)"""
+    text = RADIOSITY.sub('', text, count=1)
+    pov = written(os.path.join(base, 'direct.pov'), text)
+    noisy = RANDOM.search(text) is not None
+    text, aa = converging(text, noisy)
+    size = SMALL if noisy else SIZE
+    theirs = renderers.povray(written(os.path.join(base, 'many.pov'), text), os.path.join(base, 'direct.exr'),
+                              size, aa, limit=1800 if noisy else PATIENCE)
+    if void(theirs, text):
+        outcome.notes.append(EXPONENTS)
+        direct(outcome, EXPONENT.sub('', text), base)
+        return
+    renderers.alidade(pov, os.path.join(base, 'direct.pfm'), size, aa=aa, threads=1, good=allowed(theirs))
+    ours = picture.read(os.path.join(base, 'direct.pfm'))
+    outcome.figures = measure.Figures(ours, theirs)
+    if noisy:
+        outcome.complaints += alike(outcome.figures, RMSE, MEAN)
+        return
+    outcome.complaints = outcome.figures.complaints(LEAST)
+    if not outcome.complaints:
+        return
+    larger = renderers.povray(pov, os.path.join(base, 'larger.exr'), SIZE, factor=100)
+    outcome.classes = measure.classify(outcome.figures, larger)
+    if not measure.Figures(ours, larger).complaints(LEAST):
+        outcome.notes += ['POV-Ray\'s own tolerances, as its picture of the scene made 100 times larger '
+                          'shows: ' + sentence for sentence in outcome.complaints]
+        outcome.complaints = []
+
+
+def quiet(text):
+    """Without what makes noise or multiplies rays."""
+    return JITTER.sub('', GRAIN.sub('', LENS.sub('', text)))
+
+
+def high(text, count):
+    """The scene with a radiosity block of high quality, and no object that importance makes black."""
+    text = IMPORTANCE.sub('', text)
+    block = RADIOSITY.search(text).group(0)
+    better = block
+    for word, value in dict(HIGH, count=count).items():
+        better = re.sub(r'\b%s\s+%s' % (word, NUMBER), '%s %s' % (word, value), better)
+    return text.replace(block, better)
+
+
+def best(text, base, size, count):
+    return renderers.povray(written(os.path.join(base, 'high.pov'), high(text, count)),
+                            os.path.join(base, 'high-%s-%d.exr' % (count, size[0])), size)
+
+
+class Ours:
+    """Our pictures of a scene, of each size and method made once."""
+
+    def __init__(self, pov, base, good):
+        self.pov, self.base, self.good, self.known = pov, base, good, {}
+
+    def draw(self, method, size, *more):
+        out = os.path.join(self.base, method + '.pfm')
+        renderers.alidade(self.pov, out, size, threads=1, more=['--indirect=' + method, *more], good=self.good)
+        return picture.read(out)
+
+    def exact(self, size):
+        """The picture, how many rays it has, and its noise along the sRGB curve."""
+        rays = RAYS
+        while True:
+            one, other = (self.draw('exact', size, '--indirect-samples=%d' % rays, '--seed=%d' % seed)
+                          for seed in (1, 2))
+            difference = numpy.nan_to_num(picture.encode(one) - picture.encode(other))
+            noise = 0.5 * float(numpy.sqrt((difference ** 2).mean()))
+            if noise <= 0.5 * RMSE or rays >= MOST_RAYS:
+                return 0.5 * (one + other), '%d rays, noise %.6f' % (2 * rays, noise)
+            rays *= 4
+
+    def get(self, method, size):
+        if (method, size) not in self.known:
+            self.known[method, size] = self.exact(size) if method == 'exact' else (self.draw(method, size), '')
+        return self.known[method, size]
+
+
+def judge(ours, theirs, size):
+    """Complaints and notes of both methods."""
+    complaints, notes = [], []
+    for method, rmse, mean in METHODS:
+        made, about = ours.get(method, size)
+        figures = measure.Figures(made, theirs)
+        notes.append('%s: %s%s' % (method, figures.text(), about and ', ' + about))
+        complaints += ['%s: %s' % (method, c) for c in alike(figures, rmse, mean)]
+    return complaints, notes
+
+
+def converged(text, base, theirs):
+    """Is the picture of the least count near that of the greatest?"""
+    size, count = LEVELS[0]
+    figures = measure.Figures(theirs, best(text, base, size, LEVELS[1][1]))
+    said = 'POV-Ray\'s picture of count %s from its own of count %s: %s' % (count, LEVELS[1][1], figures.text())
+    return [said] if figures.rmse > CONVERGED else [], [said]
+
+
+def indirect(outcome, text, base, check=False):
+    """(b)"""
+    text = quiet(text)
+    pov = written(os.path.join(base, 'indirect.pov'), text)
+    ours = None
+    for size, count in LEVELS:
+        theirs = best(text, base, size, count)
+        if void(theirs, text):
+            outcome.notes.append(EXPONENTS)
+            indirect(outcome, EXPONENT.sub('', text), base, check)
+            return
+        if not ours:
+            ours = Ours(pov, base, allowed(theirs))
+        complaints, notes = judge(ours, theirs, size)
+        notes.append('POV-Ray: count %s, %dx%d' % ((count,) + size))
+        if check:
+            more, said = converged(text, base, theirs)
+            complaints, notes, check = complaints + more, notes + said, False
+        outcome.notes += notes
+        if not complaints:
+            return
+        outcome.notes += ['missed: ' + c for c in complaints]
+    outcome.complaints += complaints
+
+
+def as_it_is(pov, text, base):
+    """(c)"""
+    renderers.alidade(pov, os.path.join(base, 'as-it-is.pfm'), (48, 36), aa='pov2', threads=1,
+                      good=(0, renderers.NONFINITE) if EXPONENT.search(text) else (0,))
+
+
+def read(path):
+    with open(path, encoding='utf-8') as file:
+        return file.read()
+
+
+def compare(outcome, pov, base, hard=None):
+    """All three; hard: what to take for (b), of a scene whose lamps are no end of work."""
+    text, lit = read(pov), read(hard or pov)
+    try:
+        direct(outcome, text, base)
+    except renderers.TooLong:
+        if not IOR_ONE.search(text):
+            raise
+        outcome.notes.append(ENDLESS)
+        lit = IOR_ONE.sub('ior 1.000001', lit)
+        direct(outcome, IOR_ONE.sub('ior 1.000001', text), base)
+    if not os.environ.get('ALIDADE_BREADTH_DIRECT'):
+        indirect(outcome, lit, base, outcome.number % EVERY == 0)
+        as_it_is(pov, text, base)

@@ -6,7 +6,7 @@ EXTRA_DIST += blender/pack.py blender/alidade_pov/__init__.py blender/alidade_po
 	blender/alidade_pov/lamps.py blender/alidade_pov/losses.py blender/alidade_pov/materials.py \
 	blender/alidade_pov/paints.py blender/alidade_pov/pictures.py blender/alidade_pov/relief.py blender/alidade_pov/scene.py \
 	blender/alidade_pov/text.py blender/alidade_pov/values.py blender/alidade_pov/versions.py \
-	blender/alidade_pov/visible.py blender/alidade_pov/world.py blender/gallery/gallery.py
+	blender/alidade_pov/visible.py blender/alidade_pov/world.py blender/gallery/gallery.py blender/gallery/pictures.py
 
 EXTRA_DIST += docs/exporter.md docs/exporter/areas.png docs/exporter/colours.png docs/exporter/focus.png docs/exporter/glass.png docs/exporter/hair.png docs/exporter/instances.png \
 	docs/exporter/lamps.png docs/exporter/relief.png docs/exporter/room.png docs/exporter/shaders.png docs/exporter/shapes.png docs/exporter/sky.png docs/exporter/spheres.png docs/exporter/textures.png

@@ -9,7 +9,7 @@
 
 #include "read/pov/items.h"
 
-#define TINY 1e-10 /* what POV-Ray takes for 0 */
+#define TINY 1e-10 /* cosines that POV-Ray takes for 0 */
 #define PI 3.14159265358979323846
 #define BLUR_SAMPLES_MAX 1e6
 
@@ -65,14 +65,15 @@ static void apply_look_at(struct pov *p, struct draft *d)
 	double up = vec_length(d->up);
 	double handed = vec_dot(vec_cross(d->up, d->direction), d->right);
 	vec to = vec_sub(d->look_at, d->location), across;
+	double least = TINY * vec_length(d->sky);
 
-	if (vec_dot(to, to) < TINY) {
+	if (!(vec_length(to) > 0)) {
 		pov_fail_at(p, &d->look_pos, "look_at is the camera's location; move one of them");
 		return;
 	}
 	to = vec_unit(to);
 	across = vec_cross(d->sky, to);
-	if (fabs(across.x) < TINY && fabs(across.y) < TINY && fabs(across.z) < TINY) {
+	if (!(fabs(across.x) > least || fabs(across.y) > least || fabs(across.z) > least)) {
 		pov_warn(p, &d->look_pos, "the camera looks along its sky vector: right stays as given");
 		across = d->right;
 	}
@@ -88,7 +89,7 @@ static void apply_orthographic(struct draft *d)
 {
 	double far = vec_length(vec_sub(d->look_at, d->location)), near = vec_length(d->direction);
 
-	if (far > TINY && near > TINY) {
+	if (far > 0 && near > 0) {
 		d->right = vec_scale(d->right, far / near);
 		d->up = vec_scale(d->up, far / near);
 	}
@@ -301,6 +302,11 @@ static bool read_modifier(struct pov *p, struct draft *d)
 	}
 }
 
+static bool is_skew(vec a, vec b)
+{
+	return fabs(vec_dot(a, b)) > TINY * vec_length(a) * vec_length(b);
+}
+
 static void check_camera(struct pov *p, const struct draft *d)
 {
 	vec normal = vec_cross(d->right, d->up);
@@ -312,8 +318,7 @@ static void check_camera(struct pov *p, const struct draft *d)
 	else if (fabs(vec_dot(normal, d->direction)) == 0)
 		pov_fail_at(p, &d->pos, "the camera's right, up and direction lie in one plane: nothing "
 			    "could be seen");
-	else if (fabs(vec_dot(d->right, d->up)) > TINY || fabs(vec_dot(d->right, d->direction)) > TINY ||
-		 fabs(vec_dot(d->up, d->direction)) > TINY)
+	else if (is_skew(d->right, d->up) || is_skew(d->right, d->direction) || is_skew(d->up, d->direction))
 		pov_warn(p, &d->pos, "the camera's right, up and direction are not perpendicular: the "
 			 "picture will be skewed");
 }

@@ -243,7 +243,7 @@ static void check_light(struct pov *p, struct draft *d)
 
 	l->direction = vec_sub(d->point_at, l->location);
 	l->axis_length = vec_length(l->direction);
-	if (l->axis_length > 1e-10)
+	if (l->axis_length > 0)
 		l->direction = vec_scale(l->direction, 1 / l->axis_length);
 	else if (l->kind != LIGHT_POINT || l->parallel)
 		pov_fail_at(p, &l->pos, "the light's point_at is its location; move one of them");

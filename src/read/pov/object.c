@@ -10,7 +10,6 @@
 #include <string.h>
 
 
-#define TINY 1e-10 /* what POV-Ray takes for 0 */
 
 struct pov_object *pov_object_new(struct pov *p, enum shape_kind kind, const struct diag_pos *at)
 {
@@ -67,7 +66,7 @@ static void finish_cone(struct pov *p, struct object *o, const char *what)
 	o->shape.cone.open = pov_accept(p, TOK_OPEN);
 	if (pov_failed(p))
 		return;
-	if (vec_length(axis) < TINY)
+	if (!(vec_length(axis) > 0))
 		pov_fail_at(p, &o->pos, "the %s has both its ends at one point", what);
 }
 
@@ -100,7 +99,7 @@ static void read_plane(struct pov *p, struct object *o)
 	vec n = pov_finite_vector(p, "the plane's normal");
 	double length = vec_length(n);
 
-	if (!pov_failed(p) && (length < TINY || !isfinite(length))) {
+	if (!pov_failed(p) && (!(length > 0) || !isfinite(length))) {
 		pov_fail_at(p, &at, "the plane's normal has no direction");
 		return;
 	}

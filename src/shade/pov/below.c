@@ -14,7 +14,6 @@
 
 #define PI 3.14159265358979323846
 #define ANYTHING UINT32_MAX /* POV-Ray's rays below surfaces see also what is hidden from all others */
-#define BESIDE 1e-10 /* as in pov/lights.c */
 #define PROBES 4 /* to find what is close by besides the hit's own surface */
 #define OTHER 0.9 /* cosine between the normals of surfaces that are not alike */
 
@@ -179,7 +178,7 @@ static void take_base(const struct below *b, struct place *p, uint32_t ray)
 	}
 	add_flat(p, m->p, m->ns, b->mm);
 	if (below_found(b, ray, &hit, &s)) {
-		depth = same_solid(p, &s) ? hit->t / 2 : fmin(depth, hit->t - BESIDE);
+		depth = same_solid(p, &s) ? hit->t / 2 : fmin(depth, hit->t * (1 - 0x1p-40));
 		if (same_solid(p, &s))
 			add_flat(p, s.p, s.ns, b->mm);
 	}

@@ -59,18 +59,26 @@ ALD_INLINE int box_enter(const ald_accel *a, uint32_t range, const ald_prep *pre
 	return ald_box_ray(prep, &a->volume[range], tmin, tmax, enter);
 }
 
+ALD_INLINE int box_enter_fast(const ald_accel *a, uint32_t range, const ald_fast_prep *prep, double tmin, double tmax,
+			   double *enter)
+{
+	return ald_fast_box_ray(prep, &a->volume[range], tmin, tmax, enter);
+}
+
+static const struct flat_volume box_volume = { box_enter, box_enter_fast };
+
 WIDE static void box_intersect_n(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit,
 				  uint32_t n, uint32_t hints)
 {
 	(void)hints;
-	flat_nearest(&a->flat, a, box_enter, q, ray, hit, n);
+	flat_nearest(&a->flat, a, &box_volume, q, ray, hit, n);
 }
 
 WIDE static void box_occluded_n(const ald_accel *a, ald_query *q, const ald_ray *ray, uint8_t *hidden,
 				 uint32_t n, uint32_t hints)
 {
 	(void)hints;
-	flat_occluded(&a->flat, a, box_enter, q, ray, hidden, n);
+	flat_occluded(&a->flat, a, &box_volume, q, ray, hidden, n);
 }
 
 static int box_intersect(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit)
@@ -125,7 +133,7 @@ const ald_accel_plugin ald_accel_entry = {
 	.version = "1",
 	.license = "Apache-2.0",
 	.summary = "one axis-aligned box around each object",
-	.precisions = ALD_PRECISION_DEFAULT | ALD_PRECISION_EXACT,
+	.precisions = ALD_PRECISION_DEFAULT | ALD_PRECISION_EXACT | ALD_PRECISION_FAST,
 	.build = box_build,
 	.intersect = box_intersect,
 	.destroy = box_destroy,

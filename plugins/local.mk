@@ -19,7 +19,8 @@ plugins_box_la_SOURCES = plugins/box.c plugins/flat.h
 plugins_box_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
 plugins_box_la_LDFLAGS = $(PLUGIN_LDFLAGS)
 
-plugins_octree_la_SOURCES = plugins/octree.c plugins/octree_build.c plugins/octree.h
+plugins_octree_la_SOURCES = plugins/octree.c plugins/octree_build.c plugins/octree.h \
+	plugins/octree_walk.h
 plugins_octree_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
 plugins_octree_la_LDFLAGS = $(PLUGIN_LDFLAGS)
 

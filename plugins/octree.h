@@ -7,6 +7,7 @@
 #define OCTREE_H
 
 #include <alidade/accel.h>
+#include <alidade/fast.h>
 #include <alidade/kernel.h>
 
 #define DEPTH_MAX 21
@@ -33,7 +34,9 @@ struct ald_accel {
 	uint16_t *narrow;
 	uint8_t *kids; /* of each node: one bit for each child there is */
 	struct leaf *leaf;
-	ald_triangles *block; /* ALD_LANES triangles each, in the order of the leaves */
+	/* ALD_LANES triangles each, in the order of the leaves; fast with ALD_PRECISION_FAST, else NULL. */
+	ald_triangles *block;
+	ald_fast_triangles *fast;
 	uint32_t (*id)[ALD_LANES];
 	uint32_t *other;
 	uint32_t inner, leaves, blocks, others, depth;

@@ -446,7 +446,10 @@ static void fill_leaf(const struct builder *b, uint32_t i)
 			id = ref[j];
 			ald_corners(b->prims, id, b->prims->origin ? ald_group_of(b->prims, id) : 0, v);
 		}
-		ald_triangles_set(&a->block[at], j % ALD_LANES, v);
+		if (a->fast)
+			ald_fast_triangles_set(&a->fast[at], j % ALD_LANES, v);
+		else
+			ald_triangles_set(&a->block[at], j % ALD_LANES, v);
 		a->id[at][j % ALD_LANES] = id;
 	}
 	memcpy(a->other + leaf->other, ref + leaf->tris, leaf->others * sizeof(*ref));
@@ -510,10 +513,13 @@ static int finish(struct builder *b, ald_error *err)
 	a->kids = keep(b, inner, 1, "octree: nodes");
 	a->leaf = keep(b, leaves, sizeof(*a->leaf), "octree: nodes");
 	b->seat = take(b->host, leaves, sizeof(*b->seat), "octree: building");
-	a->block = keep(b, blocks, sizeof(*a->block), "octree: triangles");
+	if (b->prims->precision == ALD_PRECISION_FAST)
+		a->fast = keep(b, blocks, sizeof(*a->fast), "octree: triangles");
+	else
+		a->block = keep(b, blocks, sizeof(*a->block), "octree: triangles");
 	a->id = keep(b, blocks, sizeof(*a->id), "octree: triangles");
 	a->other = keep(b, others, sizeof(*a->other), "octree: references");
-	if ((!a->wide && !a->narrow) || !a->kids || !a->leaf || !b->seat || !a->block || !a->id || !a->other)
+	if ((!a->wide && !a->narrow) || !a->kids || !a->leaf || !b->seat || (!a->block && !a->fast) || !a->id || !a->other)
 		return ALD_NO_MEMORY;
 	seat_all(b);
 	b->host->parallel(b->host->ctx, (a->leaves + LEAVES_A_JOB - 1) / LEAVES_A_JOB, fill_job, b);
@@ -529,6 +535,7 @@ void octree_destroy(ald_accel *a)
 	h->free(h->ctx, a->kids);
 	h->free(h->ctx, a->leaf);
 	h->free(h->ctx, a->block);
+	h->free(h->ctx, a->fast);
 	h->free(h->ctx, a->id);
 	h->free(h->ctx, a->other);
 	h->free(h->ctx, a);

@@ -103,18 +103,28 @@ ALD_INLINE int sphere_enter(const ald_accel *a, uint32_t range, const ald_prep *
 	return ald_sphere_ray(prep, &b->centre, b->radius, tmin, tmax, enter);
 }
 
+ALD_INLINE int sphere_enter_fast(const ald_accel *a, uint32_t range, const ald_fast_prep *prep, double tmin, double tmax,
+			      double *enter)
+{
+	const struct ball *b = &a->volume[range];
+
+	return ald_fast_sphere_ray(prep, &b->centre, b->radius, tmin, tmax, enter);
+}
+
+static const struct flat_volume sphere_volume = { sphere_enter, sphere_enter_fast };
+
 WIDE static void sphere_intersect_n(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit,
 				  uint32_t n, uint32_t hints)
 {
 	(void)hints;
-	flat_nearest(&a->flat, a, sphere_enter, q, ray, hit, n);
+	flat_nearest(&a->flat, a, &sphere_volume, q, ray, hit, n);
 }
 
 WIDE static void sphere_occluded_n(const ald_accel *a, ald_query *q, const ald_ray *ray, uint8_t *hidden,
 				 uint32_t n, uint32_t hints)
 {
 	(void)hints;
-	flat_occluded(&a->flat, a, sphere_enter, q, ray, hidden, n);
+	flat_occluded(&a->flat, a, &sphere_volume, q, ray, hidden, n);
 }
 
 static int sphere_intersect(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit)
@@ -170,7 +180,7 @@ const ald_accel_plugin ald_accel_entry = {
 	.version = "1",
 	.license = "Apache-2.0",
 	.summary = "one bounding sphere around each object",
-	.precisions = ALD_PRECISION_DEFAULT | ALD_PRECISION_EXACT,
+	.precisions = ALD_PRECISION_DEFAULT | ALD_PRECISION_EXACT | ALD_PRECISION_FAST,
 	.build = sphere_build,
 	.intersect = sphere_intersect,
 	.destroy = sphere_destroy,

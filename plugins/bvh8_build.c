@@ -117,7 +117,7 @@ static void place(ald_accel *a, const ald_box *box)
 	}
 	frexp(size, &power);
 	a->scale = ldexp(1, power < -900 || size == 0 ? 900 : -power);
-	a->frame = ald_frame_of(&a->box);
+	a->frame = ald_frame_for(a->prims, &a->box);
 }
 
 int bvh8_refs(struct builder *b)

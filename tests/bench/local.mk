@@ -1,5 +1,5 @@
 # ./dev bench: measurements, no tests.
-EXTRA_DIST += tests/bench/run.sh tests/bench/lecture.py tests/bench/povray.py tests/bench/indirect.py \
+EXTRA_DIST += tests/bench/run.sh tests/bench/lecture.py tests/bench/povray.py tests/bench/indirect.py tests/bench/precision.py \
 	tests/bench/measure_runs.py
 # Not made by make check.
 EXTRA_PROGRAMS += tests/bench/rays

@@ -9,7 +9,8 @@
  *
  * Kinds: camera (32x32 tiles), shadow (one a hit, to a point), bounce (cosine, one a hit), shuffled (the same
  * in no order), ao (short, one a hit). An accelerator is as alidade -a has it, or, if Embree was found when
- * this was built: embree1, embree8, embree16, Embree's own calls without any of Alidade.
+ * this was built: embree1, embree8, embree16, Embree's own calls without any of Alidade. With @exact or @fast
+ * behind it, it is asked for that precision, and in exact order what the host has to do is done too.
  */
 #ifdef HAVE_CONFIG_H
 #include <config.h>
@@ -32,6 +33,7 @@ enum { BATCH = 1024, ENGINES = 16, ROUNDS = 64 };
 struct engine {
 	const char *name;
 	struct accel_choice choice;
+	uint32_t precision;
 	ald_accel *it; /* NULL: a peer */
 	ald_query q;
 	struct peer *peer;
@@ -275,18 +277,26 @@ static bool open_engine(struct bench *b, struct engine *e, const char *name)
 {
 	ald_error err = { "" };
 	struct diag d = { 0 };
+	char plain[256];
+	const char *at = strchr(name, '@');
 	double start;
 
 	e->name = name;
+	snprintf(plain, sizeof(plain), "%.*s", at ? (int)(at - name) : 255, name);
+	e->precision = at && !strcmp(at, "@exact") ? ALD_PRECISION_EXACT :
+		       at && !strcmp(at, "@fast")  ? ALD_PRECISION_FAST :
+						     ALD_PRECISION_DEFAULT;
 	start = cpu_now();
 	if (peer_is(name)) {
 		e->peer = peer_open(name, &b->mesh.prims);
 	} else {
-		if (accel_load(&e->choice, name, &d) != STATUS_OK) {
-			fprintf(stderr, "rays: no accelerator %s\n", name);
+		if (accel_load(&e->choice, plain, &d) != STATUS_OK ||
+		    !(e->choice.plugin->precisions & e->precision)) {
+			fprintf(stderr, "rays: no accelerator %s, or not of that precision\n", name);
 			return false;
 		}
 		start = cpu_now();
+		b->mesh.prims.precision = e->precision; /* which is looked at now, and not later */
 		if (e->choice.plugin->build(&b->host.host, &b->mesh.prims, e->choice.value, &e->it, &err)) {
 			fprintf(stderr, "rays: %s: %s\n", name, err.text);
 			return false;
@@ -320,6 +330,18 @@ static void close_engine(struct engine *e)
 	accel_unload(&e->choice);
 }
 
+static void settle(const struct bench *b, const ald_ray *r, ald_hit *hit)
+{
+	ald_prep prep;
+	ald_vec v[3];
+
+	if (hit->prim == ALD_NONE)
+		return;
+	ald_ray_prep(&b->mesh.frame, r, &prep);
+	ald_corners(&b->mesh.prims, hit->prim, 0, v);
+	ald_exact_settle(&prep, v, hit);
+}
+
 static void fire(struct bench *b, struct engine *e, unsigned kind, uint32_t round)
 {
 	static const uint32_t hint[] = { ALD_COHERENT | ALD_ONE_ORIGIN, ALD_COHERENT, 0, 0, 0 };
@@ -341,6 +363,8 @@ static void fire(struct bench *b, struct engine *e, unsigned kind, uint32_t roun
 			e->choice.plugin->occluded_n(e->it, &e->q, ray + at, b->hidden, n, hint[kind]);
 		else
 			e->choice.plugin->intersect_n(e->it, &e->q, ray + at, b->hit, n, hint[kind]);
+		for (uint32_t i = 0; i < n && !any && e->precision == ALD_PRECISION_EXACT; i++)
+			settle(b, &ray[at + i], &b->hit[i]);
 		for (uint32_t i = 0; i < n; i++)
 			sum += any ? b->hidden[i] : b->hit[i].prim != ALD_NONE;
 	}

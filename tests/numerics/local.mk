@@ -1,4 +1,5 @@
-NUMERICS_TESTS = tests/numerics/kernel-bits.sh tests/numerics/judge.sh tests/numerics/pictures.sh \
+NUMERICS_TESTS = tests/numerics/kernel-bits.sh tests/numerics/judge.sh tests/numerics/judge-exact.sh \
+	tests/numerics/judge-fast.sh tests/numerics/pictures.sh \
 	tests/numerics/shapes.sh
 TESTS += $(NUMERICS_TESTS)
 EXTRA_DIST += $(NUMERICS_TESTS) tests/numerics/pictures.py tests/numerics/kernel_bits.c

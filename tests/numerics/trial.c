@@ -25,11 +25,15 @@ bool trial_tools_init(struct trial_tools *t, const char *const *accel, uint32_t 
 	mem_book_init(&t->book, 0);
 	t->pool = pool_new(1);
 	t->precision = precision;
-	for (; accel[t->accels]; t->accels++) {
-		t->name[t->accels] = accel[t->accels];
-		if (t->accels == TRIAL_ACCELS || accel_load(&t->choice[t->accels], accel[t->accels], &d) ||
-		    accel_set_precision(&t->choice[t->accels], precision, &d))
+	for (; *accel; accel++) {
+		struct accel_choice *c = &t->choice[t->accels];
+
+		if (t->accels == TRIAL_ACCELS || accel_load(c, *accel, &d))
 			return false;
+		if (accel_set_precision(c, precision, &d)) /* said so */
+			accel_unload(c);
+		else
+			t->name[t->accels++] = *accel;
 	}
 	return t->pool && t->accels;
 }

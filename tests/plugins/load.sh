@@ -119,7 +119,7 @@ plugin bad/bad.so -DBAD_PRECISIONS=ALD_PRECISION_DEFAULT
 is "a precision that it does not serve" \
 	"$("$ALIDADE_BUILD/src/alidade" -a bad --precision=exact --dry-run "$ALIDADE_SRC/tests/cli/scene.pov" 2>&1 |
 		grep ^alidade)" \
-	"alidade: error: accelerator bad: it does not serve --precision=exact; these do: box, none, octree, sphere"
+	"alidade: error: accelerator bad: it does not serve --precision=exact; these do: box, bvh8, none, octree, sphere"
 plugin bad/bad.so -DBAD_PARAMS='{ "k", "help", ALD_INT, 9, 0, 5, NULL }'
 refused "a default out of range" bad "accelerator @/bad.so: its parameter 'k' is wrong: its default is outside its range"
 plugin bad/bad.so -DBAD_PARAMS='{ "K", "help", ALD_INT, 0, 0, 5, NULL }'

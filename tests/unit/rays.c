@@ -256,7 +256,7 @@ void mesh_finish(struct mesh *m, bool as_float, bool with_mask, bool exact)
 	p->intersect_n = prim_intersect_n;
 	p->group_count = --m->groups;
 	p->group_first = m->group_first;
-	p->tri_count = exact ? 0 : mesh_triangles(m);
+	p->tri_count = mesh_triangles(m);
 	p->vertex_double = !as_float;
 	p->index = m->index;
 	p->vertex = m->vertex;
@@ -278,10 +278,23 @@ void mesh_finish(struct mesh *m, bool as_float, bool with_mask, bool exact)
 		prim_bounds(p, i, &box);
 		ald_box_join(&all, &box);
 	}
-	m->frame = ald_frame_of(&all);
+	m->frame = ald_frame_for(p, &all);
 	size = fabs(m->frame.centre.x) + fabs(m->frame.centre.y) + fabs(m->frame.centre.z);
 	p->pad = 16 * ALD_U * (size + m->frame.radius);
 	m->frame.radius += 6 * p->pad;
+}
+
+void mesh_settle(const struct mesh *m, const ald_ray *r, ald_hit *hit)
+{
+	ald_prep prep;
+	ald_vec v[3];
+
+	if (m->prims.precision != ALD_PRECISION_EXACT || hit->prim >= mesh_triangles(m))
+		return;
+	ald_ray_prep(&m->frame, r, &prep);
+	for (unsigned k = 0; k < 3; k++)
+		v[k] = m->vertex[m->index[3 * hit->prim + k]];
+	ald_exact_settle(&prep, v, hit);
 }
 
 void mesh_release(struct mesh *m)

@@ -40,8 +40,10 @@ void mesh_balls(struct mesh *, uint32_t n, double radius, uint64_t seed);
 void mesh_group(struct mesh *);
 uint32_t mesh_vertex(struct mesh *, double x, double y, double z);
 void mesh_triangle(struct mesh *, uint32_t a, uint32_t b, uint32_t c);
-/* After the last: fills prims. exact: as in ALD_PRECISION_EXACT there are no triangles to be seen. */
+/* After the last: fills prims. exact: ALD_PRECISION_EXACT. */
 void mesh_finish(struct mesh *, bool as_float, bool with_mask, bool exact);
+/* In exact order: what the host does once the plugin has found a hit. */
+void mesh_settle(const struct mesh *, const ald_ray *, ald_hit *);
 void mesh_release(struct mesh *);
 
 struct test_host {

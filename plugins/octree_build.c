@@ -519,7 +519,8 @@ static int finish(struct builder *b, ald_error *err)
 		a->block = keep(b, blocks, sizeof(*a->block), "octree: triangles");
 	a->id = keep(b, blocks, sizeof(*a->id), "octree: triangles");
 	a->other = keep(b, others, sizeof(*a->other), "octree: references");
-	if ((!a->wide && !a->narrow) || !a->kids || !a->leaf || !b->seat || (!a->block && !a->fast) || !a->id || !a->other)
+	if ((!a->wide && !a->narrow) || !a->kids || !a->leaf || !b->seat || (!a->block && !a->fast) || !a->id ||
+	    !a->other)
 		return ALD_NO_MEMORY;
 	seat_all(b);
 	b->host->parallel(b->host->ctx, (a->leaves + LEAVES_A_JOB - 1) / LEAVES_A_JOB, fill_job, b);

@@ -103,8 +103,8 @@ ALD_INLINE int sphere_enter(const ald_accel *a, uint32_t range, const ald_prep *
 	return ald_sphere_ray(prep, &b->centre, b->radius, tmin, tmax, enter);
 }
 
-ALD_INLINE int sphere_enter_fast(const ald_accel *a, uint32_t range, const ald_fast_prep *prep, double tmin, double tmax,
-			      double *enter)
+ALD_INLINE int sphere_enter_fast(const ald_accel *a, uint32_t range, const ald_fast_prep *prep, double tmin,
+				 double tmax, double *enter)
 {
 	const struct ball *b = &a->volume[range];
 

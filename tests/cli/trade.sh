@@ -155,6 +155,13 @@ import json
 s = json.load(open("g.json"))["settings"][1]
 assert s["setting"] == "aa=64" and "--limit" in s["failure"], s'
 
+ok "hits are checked" "$TRADE" -q --sweep=accel=box --combinations=0 --repeat=1 --verify=1 --json=l.json s.pov -- -s 24x18
+ok "and are right" python3 -c '
+import json
+s = [s for s in json.load(open("l.json"))["settings"] if s["measured"]]
+assert len(s) == 2
+assert all(x["hits_checked"] >= 24 * 18 and x["values"]["wrong_per_million"]["median"] == 0 for x in s)'
+
 # Errors are the same whoever draws; of times nothing is said here.
 ok "confirming" trade --sweep=aa=2 --repeat=3 --confirm --json=k.json s.pov -- -s 24x18
 ok "holds" python3 -c '

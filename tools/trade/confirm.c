@@ -15,10 +15,13 @@
 
 #define SEED_FIRST 2000001 /* neither of runs nor of references */
 
-/* slack: what two figures may differ by and still be the same. */
-static bool inside(const struct trade_range *again, double low, double high, double slack)
+/* Intervals that overlap are what two samples of the same give, but once in a hundred with five runs each;
+ * the new median would be outside of the old interval once in six. slack: what is the same all the same. */
+static bool agree(const struct trade_range *again, const struct trade_range *first, double slack)
 {
-	return again->median >= low * slack && again->median * slack <= high;
+	double low = fmin(fabs(first->low), fabs(first->high)), high = fmax(fabs(first->low), fabs(first->high));
+
+	return again->high >= low * slack && again->low * slack <= high;
 }
 
 static enum status run_again(struct trade *t, struct trade_verdict *v)
@@ -49,7 +52,6 @@ enum status trade_confirm(struct trade *t)
 	progress_begin(&t->progress, "confirming", clock_seconds());
 	for (uint32_t i = 0; i < t->verdicts && !st; i++) {
 		struct trade_verdict *v = &t->verdict[i];
-		const struct trade_range *time, *error;
 		uint32_t k = 0;
 
 		if (!v->pick || v->outcome == TRADE_NOTHING)
@@ -60,11 +62,10 @@ enum status trade_confirm(struct trade *t)
 			st = run_again(t, v);
 		v->time_again = t->verdict[k].time_again;
 		v->error_again = t->verdict[k].error_again;
-		time = &v->pick->range[t->clock];
-		error = &v->pick->range[t->error];
-		v->time_holds = inside(&v->time_again, time->low, time->high, 1);
-		v->error_holds = inside(&v->error_again, fmin(fabs(error->low), fabs(error->high)),
-					fmax(fabs(error->low), fabs(error->high)), TRADE_GAIN);
+		v->time_holds = agree(&v->time_again, &v->pick->range[t->clock], 1);
+		v->error_holds = agree(&v->error_again, &v->pick->range[t->error], TRADE_GAIN);
+		v->bound_holds = (v->ask.kind == TRADE_FASTEST ? v->error_again.median : v->time_again.median) <=
+				 v->ask.bound;
 	}
 	progress_end(&t->progress, clock_seconds());
 	return st;

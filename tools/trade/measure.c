@@ -350,8 +350,10 @@ static enum status stage_combined(struct trade *t)
 	for (uint32_t i = first; i < t->settings; i++)
 		any = any || due(t, &t->setting[i]);
 	for (uint32_t i = 0; i < first && any; i++) {
-		if (t->setting[i].front || !i)
-			t->setting[i].target = t->setting[i].runs + t->repeat;
+		struct trade_setting *s = &t->setting[i];
+
+		if (s->front || !i) /* again along with the new ones; but not each time it is called */
+			s->target = s->runs + t->repeat < 2 * t->repeat ? s->runs + t->repeat : 2 * t->repeat;
 	}
 	if (!st)
 		st = passes(t, "combining", END_COMBINED);
@@ -411,8 +413,10 @@ static enum status read_verify(struct trade *t, struct trade_setting *s, const c
 	arena_init(&arena, &t->book, "stats");
 	if (n > 0)
 		v = json_read(text, (size_t)n, &arena, &fault);
-	s->checked = json_number_at(v, "verify.checked", 0);
-	s->different = json_number_at(v, "verify.different", 0);
+	/* What an accelerator misses by its own fault, and what the precision does. */
+	s->checked = json_number_at(v, "verify.nearest.checked", 0);
+	s->different = json_number_at(v, "verify.nearest.different", 0) +
+		       json_number_at(v, "verify.nearest.inexact", 0);
 	s->unverified = s->checked > 0 ? NULL : "no ray was checked";
 	arena_release(&arena);
 	free(text);

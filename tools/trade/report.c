@@ -183,16 +183,15 @@ const char *trade_outcome_text(struct trade *t, const struct trade_verdict *v)
 
 const char *trade_confirm_text(struct trade *t, const struct trade_verdict *v)
 {
-	char time[40], error[40];
+	const char *held[] = { "not as found before", "as found before" };
 
 	if (!v->time_again.count)
 		return NULL;
-	trade_value_text(t->clock, v->time_again.median, time, sizeof(time));
-	trade_value_text(t->error, v->error_again.median, error, sizeof(error));
-	return trade_text(t, "Drawn again %u times: %s %s %s, %s its interval; %s %s, %s its interval.",
-			  v->time_again.count, trade_column[t->clock].title, time, trade_column[t->clock].unit,
-			  v->time_holds ? "inside" : "OUTSIDE", trade_column[t->error].title, error,
-			  v->error_holds ? "inside" : "OUTSIDE");
+	return trade_text(t, "Drawn again %u times: %s %s, %s; %s %s, %s; the bound is %s.", v->time_again.count,
+			  trade_column[t->clock].title, range_text(t, t->clock, &v->time_again),
+			  held[v->time_holds], trade_column[t->error].title,
+			  range_text(t, t->error, &v->error_again), held[v->error_holds],
+			  v->bound_holds ? "kept" : "NOT kept");
 }
 
 static const char *reference_note(struct trade *t)
@@ -415,6 +414,7 @@ static void json_verdict(struct trade *t, struct json *j, const struct trade_ver
 		json_bool(j, "time_holds", v->time_holds);
 		json_double(j, trade_column[t->error].key, v->error_again.median);
 		json_bool(j, "error_holds", v->error_holds);
+		json_bool(j, "bound_holds", v->bound_holds);
 		json_end(j);
 	}
 	json_array(j, "tied");

@@ -22,6 +22,7 @@
 #include "base/interrupt.h"
 #include "base/mem.h"
 #include "base/pool.h"
+#include "base/process.h"
 #include "image/image.h"
 #include "look/progress.h"
 #include "pattern/mip.h"
@@ -615,6 +616,7 @@ int main(int argc, char **argv)
 	struct run run = { 0 };
 	int status;
 
+	process_begin();
 	run.diag = (struct diag){ print_message, &run, 0, 0 };
 	mem_book_init(&run.book, 0);
 	run.pictures.book = &run.book;

@@ -14,6 +14,7 @@
 
 #include "base/json.h"
 #include "base/options.h"
+#include "base/process.h"
 #include "image/diff.h"
 #include "image/image.h"
 #include "image/out.h"
@@ -310,6 +311,7 @@ int main(int argc, char **argv)
 	struct diag diag = { .sink = print_message, .arg = &s };
 	int operand;
 
+	process_begin();
 	diff_options_init(&s.diff);
 	if (!double_dashes(argc, argv) ||
 	    options_parse(&program, argc, argv, set_option, &s, &operand, &diag))

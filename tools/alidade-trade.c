@@ -16,6 +16,7 @@
 
 #include "base/interrupt.h"
 #include "base/options.h"
+#include "base/process.h"
 #include "image/out.h"
 #include "trade/trade.h"
 
@@ -453,6 +454,7 @@ int main(int argc, char **argv)
 	struct run run = { 0 };
 	int status;
 
+	process_begin();
 	init(&run);
 	status = (int)start(&run, argc, argv);
 	if (status == STATUS_SIGINT && interrupt_status())

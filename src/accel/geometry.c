@@ -15,6 +15,7 @@
 #include "accel/load.h"
 #include "accel/verify.h"
 #include "base/interrupt.h"
+#include "base/process.h"
 
 static double now(void)
 {
@@ -75,6 +76,7 @@ static enum status build_levels(struct geometry *g, const double *value, struct 
 			continue;
 		result = g->plugin->build(&g->host.host, &v->prims, value ? value : none, &v->accel,
 					  &err);
+		process_arithmetic(); /* which a plugin should not, but may change */
 		if (result || !v->accel) {
 			err.text[sizeof(err.text) - 1] = 0;
 			v->accel = NULL;

@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "base/interrupt.h"
+#include "base/process.h"
 
 static void *host_alloc(void *ctx, size_t bytes, const char *what)
 {
@@ -33,6 +34,7 @@ static void run_job(void *arg, uint32_t i, uint32_t thread)
 
 	(void)thread;
 	j->run(j->arg, i);
+	process_arithmetic(); /* which a plugin should not, but may change */
 }
 
 static void host_parallel(void *ctx, uint32_t n, void (*run)(void *arg, uint32_t i), void *arg)

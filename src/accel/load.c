@@ -14,7 +14,6 @@
 #include <dirent.h>
 #include <dlfcn.h>
 #include <errno.h>
-#include <fenv.h>
 #include <limits.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -26,6 +25,7 @@
 #include "accel/elf.h"
 #include "accel/param.h"
 #include "accel/text.h"
+#include "base/process.h"
 
 #define ENTRY "ald_accel_entry"
 #define NAME_MAX_BYTES 64
@@ -231,18 +231,6 @@ static enum status check_entry(const ald_accel_plugin *p, const char *path, cons
 	return STATUS_OK;
 }
 
-/* Constructors may change how this thread computes: gcc's -ffast-math start file sets FTZ and DAZ. */
-static void *open_keeping_arithmetic(const char *real)
-{
-	fenv_t env;
-	void *handle;
-
-	fegetenv(&env);
-	handle = dlopen(real, RTLD_NOW | RTLD_LOCAL);
-	fesetenv(&env);
-	return handle;
-}
-
 /* An older plugin's entry ends earlier, and a newer one's later: work on a copy of our own length. */
 static enum status take_entry(struct accel_choice *c, const char *name, struct diag *d)
 {
@@ -284,7 +272,7 @@ static enum status open_plugin(struct accel_choice *c, const char *name, struct 
 		if (st)
 			return st;
 	}
-	c->handle = open_keeping_arithmetic(real);
+	c->handle = process_load(real, RTLD_NOW | RTLD_LOCAL);
 	if (!c->handle)
 		return refuse(d, c->path, "it can't be loaded", dlerror());
 	return take_entry(c, name, d);

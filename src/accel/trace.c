@@ -5,6 +5,7 @@
  */
 #include "accel/geometry.h"
 #include "accel/verify.h"
+#include "base/process.h"
 
 static bool sound(const ald_ray *r)
 {
@@ -103,6 +104,7 @@ void trace_nearest(const struct geometry *g, uint32_t thread, const ald_ray *ray
 		if (g->view[0].accel)
 			accel_nearest_n(g->plugin, g->view[0].accel, &w->query[0].q, w->ray, hit, m,
 					hints);
+		process_arithmetic(); /* which a plugin should not, but may change */
 		for (uint32_t i = 0; exact && i < m; i++)
 			settle(g, w, &rays[first + i], i, &hit[i]);
 		for (uint32_t i = 0; planes && i < m; i++) {
@@ -138,6 +140,7 @@ void trace_occluded(const struct geometry *g, uint32_t thread, const ald_ray *ra
 			continue;
 		accel_occluded_n(g->plugin, g->view[0].accel, &w->query[0].q, w->ray, w->hidden, live,
 				 hints);
+		process_arithmetic();
 		for (uint32_t i = 0; i < live; i++)
 			hidden[first + w->plane[i]] = w->hidden[i];
 	}

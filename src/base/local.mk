@@ -10,6 +10,7 @@ src_libalidade_la_SOURCES += \
 	src/base/mem.c src/base/mem.h \
 	src/base/options.c src/base/options.h \
 	src/base/pool.c src/base/pool.h \
+	src/base/process.c src/base/process.h \
 	src/base/rng.h \
 	src/base/sobol.c src/base/sobol.h \
 	src/base/vec.c src/base/vec.h \

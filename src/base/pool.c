@@ -6,6 +6,7 @@
 #endif
 
 #include "base/pool.h"
+#include "base/process.h"
 
 #include <pthread.h>
 #include <sched.h>
@@ -48,6 +49,7 @@ static void *work(void *arg)
 	struct pool *p = w->pool;
 	uint64_t seen = 0;
 
+	process_arithmetic(); /* a thread starts with that of the one that started it */
 	pthread_mutex_lock(&p->lock);
 	for (;;) {
 		while (p->round == seen && !p->quit)

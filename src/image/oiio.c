@@ -15,6 +15,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/process.h"
 #include "image/oiio/io_oiio.h"
 #include "image/raw.h"
 
@@ -69,7 +70,7 @@ static const struct io_oiio *load(const struct diag_pos *pos, enum status st, st
 				module_path());
 		return NULL;
 	}
-	handle = dlopen(file, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+	handle = process_load(file, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
 	if (handle)
 		io = dlsym(handle, IO_OIIO_SYMBOL);
 	if (!io)

@@ -1,8 +1,13 @@
-NUMERICS_TESTS = tests/numerics/kernel-bits.sh tests/numerics/judge.sh tests/numerics/judge-exact.sh \
-	tests/numerics/judge-fast.sh tests/numerics/pictures.sh \
+NUMERICS_TESTS = tests/numerics/bits.sh tests/numerics/kernel-bits.sh tests/numerics/judge.sh \
+	tests/numerics/judge-exact.sh tests/numerics/judge-fast.sh tests/numerics/pictures.sh \
 	tests/numerics/shapes.sh
 TESTS += $(NUMERICS_TESTS)
-EXTRA_DIST += $(NUMERICS_TESTS) tests/numerics/pictures.py tests/numerics/kernel_bits.c
+EXTRA_DIST += $(NUMERICS_TESTS) tests/numerics/pictures.py tests/numerics/kernel_bits.c \
+	tests/numerics/kinds.pov tests/numerics/upset.c
+check_PROGRAMS += tests/numerics/hits
+tests_numerics_hits_SOURCES = tests/numerics/hits.c
+tests_numerics_hits_CPPFLAGS = $(AM_CPPFLAGS) -I$(top_srcdir)/src
+tests_numerics_hits_LDADD = src/libalidade.la
 if HAVE_GMP
 check_PROGRAMS += tests/numerics/judge tests/numerics/shapes
 tests_numerics_judge_SOURCES = tests/numerics/course.c tests/numerics/course.h tests/numerics/crew.c \

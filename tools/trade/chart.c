@@ -227,7 +227,7 @@ static void put_label(struct chart *c, const struct trade_setting *s)
 			if (cost < best) {
 				best = cost;
 				found = b;
-				far = r > 1;
+				far = r > 0;
 			}
 		}
 	}

@@ -24,6 +24,8 @@
 #include "trade.h"
 
 #define ARGS 320
+#define PAUSE 0.25 /* seconds between two looks at how much it has taken */
+#define PATIENCE 50 /* times its CPU time */
 
 extern char **environ;
 
@@ -64,6 +66,26 @@ static int spawn(const struct trade *t, const struct files *f, char **argv, pid_
 	return fault;
 }
 
+static double cpu_seconds(pid_t pid)
+{
+	struct timespec now;
+	clockid_t clock;
+
+	if (clock_getcpuclockid(pid, &clock) || clock_gettime(clock, &now))
+		return 0;
+	return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* A busy machine makes it late, but not work more; who waits for something that never comes does neither. */
+static bool too_late(const struct trade_child *c, pid_t pid, double began)
+{
+	double taken = clock_seconds() - began;
+
+	if (c->limit > 0)
+		return taken >= c->limit;
+	return c->cpu_limit > 0 && (taken > PATIENCE * c->cpu_limit || cpu_seconds(pid) >= c->cpu_limit);
+}
+
 /* Until it has ended. SIGCHLD is blocked and waited for, so that its end is seen at once; our own signals
  * end the wait too. */
 static pid_t wait_for(pid_t pid, struct trade_child *c, double began, int *how, struct rusage *usage)
@@ -76,16 +98,16 @@ static pid_t wait_for(pid_t pid, struct trade_child *c, double began, int *how, 
 	sigaddset(&child, SIGCHLD);
 	sigprocmask(SIG_BLOCK, &child, &before);
 	while (!(got = wait4(pid, how, WNOHANG, usage)) || (got < 0 && errno == EINTR)) {
-		double left = c->limit > 0 ? began + c->limit - clock_seconds() : 1;
-		struct timespec pause;
+		double left = c->limit > 0 ? began + c->limit - clock_seconds() : PAUSE;
+		struct timespec pause = { 0 };
 
-		if (!killed && (interrupt_asked() || left <= 0)) {
+		if (!killed && (interrupt_asked() || too_late(c, pid, began))) {
 			c->late = !interrupt_asked();
 			killed = true;
 			kill(pid, SIGKILL);
 		}
-		left = killed || left > 0.5 ? 0.5 : left;
-		pause = (struct timespec){ 0, (long)(left * 1e9) };
+		left = killed || left > PAUSE ? PAUSE : left > 0 ? left : 0;
+		pause.tv_nsec = (long)(left * 1e9);
 		sigtimedwait(&child, NULL, &pause);
 	}
 	sigprocmask(SIG_SETMASK, &before, NULL);
@@ -181,7 +203,8 @@ static uint32_t arguments(const struct trade *t, const struct trade_child *c, ch
 static void end_of(struct trade_child *c, int how)
 {
 	if (c->late)
-		snprintf(c->message, sizeof(c->message), "stopped after %.3g s; --limit allows more", c->limit);
+		snprintf(c->message, sizeof(c->message), "stopped after %.3g s%s; --limit allows more",
+			 c->limit > 0 ? c->limit : c->cpu_limit, c->limit > 0 ? "" : " of CPU time");
 	else if (WIFSIGNALED(how))
 		snprintf(c->message, sizeof(c->message), "ended by signal %d (%s)", WTERMSIG(how),
 			 strsignal(WTERMSIG(how)));

@@ -53,7 +53,7 @@ static enum status draw(struct trade *t, const char *const *option, uint64_t see
 	if (!st && !picture_there(&c))
 		st = diag_fail(&t->diag, c.status < 128 ? (enum status)c.status : STATUS_FAILED, NULL,
 			       "%s cannot be drawn: %s", what, c.message);
-	*took = c.value[TRADE_PROCESS];
+	*took = c.value[TRADE_CPU];
 	return st;
 }
 
@@ -191,7 +191,7 @@ static enum status fail_setting(struct trade *t, struct trade_setting *s, const 
 	if (!s->failure)
 		return STATUS_FAILED;
 	diag_report(&t->diag, DIAG_INFO, NULL, "%s: %s", s->label, s->failure);
-	return trade_store_failure(t, s, c->late ? c->limit : 0);
+	return trade_store_failure(t, s, !c->late ? 0 : c->limit > 0 ? c->limit : c->cpu_limit);
 }
 
 /* The picture is the default's, then. */
@@ -230,9 +230,10 @@ static enum status run_setting(struct trade *t, struct trade_setting *s)
 	enum status st;
 
 	r->seed = c.seed;
-	if (s != t->setting)
-		c.limit = only_accel(t, s) && !(t->limit > 0) ? fmax(t->longest * SLOW_ACCEL / SLOW, SLOW_LEAST) :
-								t->longest;
+	if (s != t->setting) {
+		c.limit = t->limit;
+		c.cpu_limit = only_accel(t, s) ? fmax(t->longest * SLOW_ACCEL / SLOW, SLOW_LEAST) : t->longest;
+	}
 	st = trade_run_once(t, s, &c, r);
 	if (st)
 		return st;
@@ -298,7 +299,7 @@ static void warn_budget(struct trade *t)
 
 	if (t->longest > SLOW_LEAST * SLOW / (SLOW - 1) && need > t->budget && t->setting[0].runs < t->repeat)
 		diag_report(&t->diag, DIAG_WARNING, NULL,
-			    "a picture takes %.3g s, and there are %u settings: --budget=%.3g would do them "
+			    "a picture takes %.3g s of CPU, and there are %u settings: --budget=%.3g would do them "
 			    "justice, or a smaller picture (-- -s)", picture, t->settings, need);
 }
 
@@ -310,13 +311,11 @@ static enum status stage_alone(struct trade *t)
 		st = trade_store_load(t, 0);
 	trade_summarise(t);
 	if (!st && t->setting[0].runs)
-		t->longest = fmax(SLOW * t->setting[0].range[TRADE_PROCESS].median,
-				  t->setting[0].range[TRADE_PROCESS].median + SLOW_LEAST);
+		t->longest = fmax(SLOW * t->setting[0].range[TRADE_CPU].median,
+				  t->setting[0].range[TRADE_CPU].median + SLOW_LEAST);
 	else if (!st && t->longest <= 0)
 		st = warm_up(t);
 	warn_budget(t);
-	if (t->limit > 0)
-		t->longest = t->limit;
 	if (!st)
 		st = passes(t, "measuring", END_ALONE);
 	trade_summarise(t);
@@ -431,7 +430,7 @@ static enum status verify(struct trade *t, struct trade_setting *s)
 	const char *option[4];
 	char picture[TRADE_PATH + 16], stats[TRADE_PATH + 16], every[40];
 	struct trade_child c = { .option = option, .picture = picture, .stats = stats, .seed = 1,
-				 .limit = 4 * t->longest };
+				 .limit = 4 * t->limit, .cpu_limit = 4 * t->longest };
 	enum status st;
 	int n = 0;
 

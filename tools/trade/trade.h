@@ -156,7 +156,8 @@ struct trade {
 	uint64_t program_hash, machine_hash;
 	bool random; /* pictures differ with the seed */
 	bool complete; /* all that was planned has been measured */
-	double began, longest; /* seconds: when measuring began; a run that takes longer is stopped */
+	double began; /* seconds: when measuring began */
+	double longest; /* seconds of CPU time: a run that takes more is stopped, unless there is a limit */
 	FILE *results;
 	struct trade_planned *looking; /* the plan that is looked for in them */
 	char results_name[TRADE_PATH], work[TRADE_PATH]; /* work: a folder that is removed at the end */
@@ -222,7 +223,7 @@ struct trade_child {
 	const char *const *option; /* beyond base; ends with NULL */
 	uint64_t seed;
 	const char *picture, *stats; /* files it writes; stats may be NULL */
-	double limit; /* seconds; 0: none */
+	double limit, cpu_limit; /* seconds, and seconds of CPU time; 0: none */
 
 	bool late; /* it was stopped at the limit */
 	int status; /* its exit status; 128 + a signal's number */

@@ -55,6 +55,22 @@ def bumpy(bump, seed=1):
     return vertices, faces
 
 
+def lattice(cells=8):
+    """The cube [-1, 1]^3, cells by cells quads a face, with vertices that faces share."""
+    faces, index = [], {}
+    for axis in range(3):
+        for side in (-1, 1):
+            for i in range(cells):
+                for k in range(cells):
+                    quad = []
+                    for a, b in ((i, k), (i + 1, k), (i + 1, k + 1), (i, k + 1)):
+                        v = [side, side, side]
+                        v[(axis + 1) % 3], v[(axis + 2) % 3] = 2 * a / cells - 1, 2 * b / cells - 1
+                        quad.append(index.setdefault(tuple(v), len(index)))
+                    faces += [(quad[0], quad[1], quad[2]), (quad[0], quad[2], quad[3])]
+    return list(index), faces
+
+
 def mesh(vertices, faces, scale, offset, texture):
     return 'mesh2 { vertex_vectors { %d, %s } face_indices { %d, %s } %s }\n' % (
         len(vertices), ', '.join(vec(mad(v, scale, offset)) for v in vertices), len(faces),
@@ -69,9 +85,9 @@ def draw(folder, text, size, accel='octree'):
     return picture.read(out)
 
 
-def leaks(folder, scale, k, accel, size, holes=0):
+def leaks(folder, scale, k, accel, size, shape, holes=0):
     offset = [a * k * scale for a in AWAY]
-    vertices, faces = bumpy(0.15)
+    vertices, faces = bumpy(0.15) if shape == 'bumpy' else lattice()
     faces = faces[holes:]
     black = 'pigment { rgb 0 } finish { ambient 0 diffuse 0 }'
     count = 0
@@ -122,12 +138,13 @@ def test_leak(folder):
     size = (256, 256) if ALL else (64, 64)
     cases = [(10.0 ** e, 0) for e in range(-6, 9, 1 if ALL else 7)]
     cases += [(1, 10.0 ** e) for e in ((3, 5, 6, 7, 8) if ALL else (5, 8))]
-    tap.ok(leaks(folder, 1, 0, 'octree', size, 200) > 0, 'light leaks into a mesh with holes')
-    for accel in ACCELS:
-        for scale, k in cases:
-            count = leaks(folder, scale, k, accel, size)
-            tap.ok(count == 0, 'no light leaks into a closed mesh: %s, scale %g, %g radii off' % (accel, scale, k),
-                   '%d pixels' % count)
+    for shape in ('bumpy', 'box'):
+        tap.ok(leaks(folder, 1, 0, 'octree', size, shape, 200) > 0, 'light leaks into a %s mesh with holes' % shape)
+        for accel in ACCELS:
+            for scale, k in cases:
+                count = leaks(folder, scale, k, accel, size, shape)
+                tap.ok(count == 0, 'no light leaks into a closed %s mesh: %s, scale %g, %g radii off' % (
+                    shape, accel, scale, k), '%d pixels' % count)
 
 
 def test_scale(folder):
@@ -135,18 +152,22 @@ def test_scale(folder):
         still = draw(folder, shaded(shape, 1, (0, 0, 0)), (160, 160))
         n = changed(still, draw(folder, shaded(shape, 1.05, (0, 0, 0)).replace(*moved(1.05)), (160, 160)))
         tap.ok(n > 100, '%s looks otherwise when the camera does not move with it' % shape, '%d pixels' % n)
-        for e in (range(-6, 10) if ALL else (-6, 9)):
-            n = changed(still, draw(folder, shaded(shape, 10.0 ** e, (0, 0, 0)), (160, 160)))
-            tap.ok(n == 0, '%s looks the same at 1e%d times its size' % (shape, e), '%d pixels' % n)
+        for accel in ACCELS:
+            for e in (range(-6, 10) if ALL else (-6, 9)):
+                n = changed(still, draw(folder, shaded(shape, 10.0 ** e, (0, 0, 0)), (160, 160), accel))
+                tap.ok(n == 0, '%s looks the same at 1e%d times its size: %s' % (shape, e, accel),
+                       '%d pixels' % n)
 
 
 def test_far(folder):
     for shape in list(SHAPES) + ['mesh']:
         still = draw(folder, shaded(shape, 1, (0, 0, 0)), (160, 160))
-        for e in ((2, 4, 5, 6, 7, 8) if ALL else (6, 8)):
-            n = changed(still, draw(folder, shaded(shape, 1, [a * 10.0 ** e for a in AWAY]), (160, 160)))
-            most = 0 if e <= 6 else 25
-            tap.ok(n <= most, '%s looks the same 1e%d units off (%d pixels, at most %d)' % (shape, e, n, most))
+        for accel in ACCELS:
+            for e in ((2, 4, 5, 6, 7, 8) if ALL else (6, 8)):
+                n = changed(still, draw(folder, shaded(shape, 1, [a * 10.0 ** e for a in AWAY]), (160, 160), accel))
+                most = 0 if e <= 6 else 25
+                tap.ok(n <= most, '%s looks the same 1e%d units off: %s (%d pixels, at most %d)' % (
+                    shape, e, accel, n, most))
 
 
 def main():

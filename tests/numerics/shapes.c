@@ -363,7 +363,7 @@ int main(int argc, char **argv)
 
 			/* A point is known to some roundoffs of the way there. */
 			failures += !cell(s, away, s == SPHERE ? rays : rays / 10, seed + tests,
-					  s == SPHERE ? fmax(1e-12, 3e-15 * away) : fmax(1e-11, 5e-16 * away));
+					  s == TORUS ? fmax(1e-11, 5e-16 * away) : fmax(1e-12, 3e-15 * away));
 		}
 	}
 	printf("1..%u\n", tests);

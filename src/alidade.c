@@ -25,6 +25,7 @@
 #include "base/process.h"
 #include "image/image.h"
 #include "look/progress.h"
+#include "look/reached.h"
 #include "pattern/mip.h"
 #include "look/require.h"
 #include "look/stats.h"
@@ -58,6 +59,7 @@ struct run {
 	uint64_t drawn, skipped, reuses; /* frames */
 	struct image image;
 	struct render_counts counts;
+	double began; /* this frame */
 	double read_seconds, write_seconds;
 	FILE *stats;
 	char scene_name[4096], output[4096]; /* of this frame */
@@ -180,6 +182,7 @@ static enum status run_render(struct run *run)
 	struct render_options *options = &run->settings.render;
 	enum status st;
 
+	options->deadline = options->seconds > 0 ? run->began + options->seconds : 0;
 	options->progress = show_progress;
 	options->stop = asked_to_stop;
 	options->arg = run;
@@ -354,6 +357,19 @@ static bool report_verified(struct run *run)
 	return different == 0;
 }
 
+/* An error if it was missed, so that -q does not silence it. */
+static void report_reached(struct run *run)
+{
+	const struct render_reached *r = &run->counts.reached;
+	char line[1024];
+
+	reached_text(r, clock_seconds() - run->began, line, sizeof(line));
+	if (r->missed)
+		diag_report(&run->diag, DIAG_ERROR, NULL, "%s", line);
+	else if (run->settings.verbosity >= 0)
+		fprintf(stderr, "alidade: %s\n", line);
+}
+
 /* Render and write; the picture is written whole, or what there is of it beside an older one. */
 static enum status run_picture(struct run *run)
 {
@@ -368,13 +384,15 @@ static enum status run_picture(struct run *run)
 	if (interrupt_asked())
 		return STATUS_SIGINT;
 	st = run_render(run);
-	if (st && st != STATUS_SIGINT && st != STATUS_NONFINITE)
+	if (st && st != STATUS_SIGINT && st != STATUS_NONFINITE && st != STATUS_BUDGET)
 		return st;
 	complete = st != STATUS_SIGINT;
 	if (run->counts.nonfinite)
 		report_nonfinite(run);
 	if (!report_verified(run))
 		st = st == STATUS_SIGINT ? st : STATUS_VERIFY;
+	if (complete && run->counts.reached.told)
+		report_reached(run);
 	if (complete || run->counts.pixels)
 		written = run_write(run, complete);
 	if (!written && run->settings.stats)
@@ -507,8 +525,10 @@ static enum status run_frames(struct run *run)
 		run->progress.frame = run->settings.read.frame.number;
 		run->progress.index = i + 1;
 		run->progress.count = run->plan.animated ? count : 0;
+		if (i)
+			run->began = clock_seconds();
 		st = interrupt_asked() ? STATUS_SIGINT : run_frame(run);
-		if (st == STATUS_NONFINITE || st == STATUS_VERIFY) { /* a picture all the same */
+		if (st == STATUS_NONFINITE || st == STATUS_VERIFY || st == STATUS_BUDGET) { /* a picture all the same */
 			run->drawn++;
 			worst = st > worst ? st : worst;
 			st = STATUS_OK;
@@ -617,6 +637,7 @@ int main(int argc, char **argv)
 	int status;
 
 	process_begin();
+	run.began = clock_seconds();
 	run.diag = (struct diag){ print_message, &run, 0, 0 };
 	mem_book_init(&run.book, 0);
 	run.pictures.book = &run.book;

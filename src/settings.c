@@ -16,12 +16,11 @@
 enum {
 	KEY_ALPHA = OPTION_LONG_ONLY, KEY_AA, KEY_BITS, KEY_BLUR_SAMPLES, KEY_CAMERA_ONLY,
 	KEY_CLOCK, KEY_CROP, KEY_DRY_RUN, KEY_ERROR_LAYER, KEY_INDIRECT, KEY_INDIRECT_ERROR,
-	KEY_INDIRECT_SAMPLES, KEY_LENIENT, KEY_LIMIT, KEY_LIST_ACCELS, KEY_MEMORY, KEY_PRECISION,
-	KEY_PRINT_COMPLETION, KEY_PROGRESS, KEY_RANGE, KEY_SEED, KEY_SKIP_EXISTING, KEY_SPP,
-	KEY_STATS, KEY_TERMINATOR, KEY_TEXTURE_FILTER, KEY_TILE, KEY_VERIFY, KEY_VERSION, KEY_WRITE
+	KEY_INDIRECT_SAMPLES, KEY_LENIENT, KEY_LIMIT, KEY_LIST_ACCELS, KEY_MEMORY, KEY_NOISE,
+	KEY_PRECISION, KEY_PRINT_COMPLETION, KEY_PROGRESS, KEY_RANGE, KEY_SEED, KEY_SKIP_EXISTING, KEY_SPP,
+	KEY_STATS, KEY_TERMINATOR, KEY_TEXTURE_FILTER, KEY_TILE, KEY_TIME, KEY_VERIFY, KEY_VERSION, KEY_WRITE
 };
 
-#define SPP_MAX (1u << 24)
 #define INDIRECT_MAX (1u << 20)
 #define INDIRECT_WORDS "exact cache off"
 #define AA_WORDS "none 2 3 4 pov1 pov2"
@@ -46,6 +45,13 @@ static const struct option_spec alidade_option[] = {
 	{ "spp", KEY_SPP, OPTION_ARG, "N", COMPLETE_WORDS, "16 64 256 1024",
 	  "N samples a pixel, of its area and of all that is random: focal blur, soft shadows, indirect light; "
 	  "instead of --aa",
+	  NULL },
+	{ "noise", KEY_NOISE, OPTION_ARG, "E", COMPLETE_WORDS, "0.004 0.01 0.02 0.05",
+	  "samples until each pixel's standard error, as the picture shows it, is below E; black to white is 1, a step "
+	  "of 8 bits 0.004",
+	  NULL },
+	{ "time", KEY_TIME, OPTION_ARG, "S", COMPLETE_WORDS, "1 10 60 600",
+	  "the best picture that S seconds can give, with reading and building; with --noise, no longer than that takes",
 	  NULL },
 	{ "blur-samples", KEY_BLUR_SAMPLES, OPTION_ARG, "N", COMPLETE_NOTHING, NULL,
 	  "focal blur: N rays a sample; otherwise as many as a good picture takes", NULL },
@@ -466,7 +472,7 @@ static enum status set_flag(struct settings *s, const struct option_spec *o, con
 		s->skip_existing = true;
 		break;
 	case KEY_ERROR_LAYER:
-		s->render.error = true;
+		s->given |= GIVEN_ERROR;
 		break;
 	case KEY_DRY_RUN:
 		s->dry_run = true;
@@ -511,8 +517,17 @@ static enum status set_option(void *arg, const struct option_spec *o, const char
 		return set_crop(s, o, value, d);
 	case KEY_AA:
 		return set_aa(s, o, value, d);
+	case KEY_NOISE:
+		s->render.budget = true;
+		return option_real(value, 0, 1, &s->render.noise) ? STATUS_OK :
+								    wrong(d, o, value, "a number from 0 to 1");
+	case KEY_TIME:
+		s->render.budget = true;
+		return option_real(value, 1e-6, 1e9, &s->render.seconds) ?
+			       STATUS_OK :
+			       wrong(d, o, value, "a number of seconds above 0");
 	case KEY_SPP:
-		return set_number(o, value, 1, SPP_MAX, &s->render.spp, d);
+		return set_number(o, value, 1, RENDER_SPP_LIMIT, &s->render.spp, d);
 	case KEY_BLUR_SAMPLES:
 		return set_number(o, value, 1, 65536, &s->render.blur_samples, d);
 	case KEY_TEXTURE_FILTER:

@@ -51,7 +51,8 @@ struct settings {
 };
 
 enum settings_given {
-	GIVEN_SIZE = 1, GIVEN_CROP = 2, GIVEN_AA = 4, GIVEN_ALPHA = 8, GIVEN_OUTPUT = 16, GIVEN_RANGE = 32
+	GIVEN_SIZE = 1, GIVEN_CROP = 2, GIVEN_AA = 4, GIVEN_ALPHA = 8, GIVEN_OUTPUT = 16, GIVEN_RANGE = 32,
+	GIVEN_ERROR = 64
 };
 
 extern const struct option_program settings_program;

@@ -123,10 +123,18 @@ static enum status check_samples(const struct settings *s, struct diag *d)
 			    r->indirect_samples && r->indirect != INDIRECT_CACHE ? "--indirect-samples" :
 										   NULL;
 
-	if (!r->spp || !other)
-		return STATUS_OK;
-	return diag_fail(d, STATUS_USAGE, NULL,
-			 "--spp and %s both say how many rays a pixel gets: give one of them", other);
+	if ((r->spp || r->budget) && other)
+		return diag_fail(d, STATUS_USAGE, NULL,
+				 "%s and %s both say how many rays a pixel gets: give one of them",
+				 r->spp ? "--spp" : r->seconds > 0 ? "--time" : "--noise", other);
+	if (r->budget && r->indirect == INDIRECT_CACHE)
+		return diag_fail(d, STATUS_USAGE, NULL, "%s", r->seconds > 0 ?
+				 "--time cannot hurry --indirect=cache, which fills its cache first" :
+				 "--noise does not know how far --indirect=cache is off");
+	if (r->budget && !(r->noise > 0) && !(r->seconds > 0) && !r->spp)
+		return diag_fail(d, STATUS_USAGE, NULL,
+				 "--noise=0 is never reached: say with --spp or --time where to end");
+	return STATUS_OK;
 }
 
 enum status settings_finish(struct settings *s, const struct read_job *job, struct diag *d)
@@ -149,7 +157,7 @@ enum status settings_finish(struct settings *s, const struct read_job *job, stru
 		st = take_crop(s, job, d);
 	if (!(s->given & GIVEN_AA))
 		take_aa(s, job);
-	if (r->spp)
+	if (r->spp || r->budget)
 		r->aa = RENDER_AA_NONE;
 	if (!(s->given & GIVEN_ALPHA) && job->set & READ_JOB_ALPHA)
 		s->alpha = job->alpha;
@@ -163,6 +171,11 @@ enum status settings_finish(struct settings *s, const struct read_job *job, stru
 	st = check_samples(s, d);
 	if (st)
 		return st;
+	/* An .ini of another frame may name another file. */
+	r->clips = image_file_encoding(s->output) == IMAGE_SRGB;
+	if (r->spp && s->given & GIVEN_ERROR)
+		r->budget = true;
+	r->error = s->given & GIVEN_ERROR || (r->budget && ends_in(s->output, ".exr"));
 	if (r->error && r->indirect == INDIRECT_CACHE)
 		return diag_fail(d, STATUS_USAGE, NULL,
 				 "--error-layer does not know how far --indirect=cache is off");
@@ -186,8 +199,13 @@ void settings_describe(const struct settings *s, char *out, size_t size)
 		n += snprintf(out + n, size - (size_t)n, " crop %u,%u,%u,%u", r->crop_x, r->crop_y,
 			      r->crop_width, r->crop_height);
 	if (n >= 0 && (size_t)n < size)
-		n += r->spp ? snprintf(out + n, size - (size_t)n, " %u samples a pixel", r->spp) :
-			      snprintf(out + n, size - (size_t)n, " aa %s", aa[r->aa]);
+		n += r->spp    ? snprintf(out + n, size - (size_t)n, " %u samples a pixel", r->spp) :
+		     r->budget ? 0 :
+				 snprintf(out + n, size - (size_t)n, " aa %s", aa[r->aa]);
+	if (r->budget && n >= 0 && (size_t)n < size)
+		n += snprintf(out + n, size - (size_t)n, " noise %g", r->noise);
+	if (r->seconds > 0 && n >= 0 && (size_t)n < size)
+		n += snprintf(out + n, size - (size_t)n, " time %g", r->seconds);
 	if (r->aa != RENDER_AA_NONE && n >= 0 && (size_t)n < size)
 		n += snprintf(out + n, size - (size_t)n, ":depth=%u", r->aa_n);
 	if (r->aa > RENDER_AA_GRID && n >= 0 && (size_t)n < size)

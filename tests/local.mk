@@ -17,3 +17,4 @@ include tests/blender/local.mk
 include tests/features/local.mk
 include tests/indirect/local.mk
 include tests/bench/local.mk
+include tests/budget/local.mk

@@ -1,7 +1,8 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * Seconds on a clock that only goes forward. For reports; nothing in a picture may depend on it.
+ * Seconds on a clock that only goes forward. For reports; nothing in a picture may depend on it, unless a time
+ * was asked for (--time).
  */
 #ifndef ALIDADE_BASE_CLOCK_H
 #define ALIDADE_BASE_CLOCK_H

@@ -12,6 +12,7 @@
 
 #include "accel/verify.h"
 #include "base/json.h"
+#include "look/reached.h"
 
 static const char *const ray_name[RENDER_RAY_KINDS] = {
 	[RENDER_CAMERA] = "camera", [RENDER_SHADOW] = "shadow", [RENDER_REFLECTED] = "reflected",
@@ -320,6 +321,8 @@ static void json_head(struct json *j, const struct stats *s)
 	}
 	if (s->render->error >= 0)
 		json_double(j, "mean_error", s->render->error);
+	if (s->render->reached.told)
+		reached_json(j, &s->render->reached);
 }
 
 bool stats_json(const struct stats *s, FILE *out)

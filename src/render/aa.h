@@ -13,8 +13,9 @@ struct aa_tile {
 };
 
 struct aa_pixel {
-	struct rgb colour, variance;
+	struct rgb colour, variance; /* variance of a budget: below 0: unknown */
 	double transmit;
+	uint32_t samples; /* of a budget: that its colour is the mean of */
 	bool finite; /* false: a sample was NaN or Inf; it counts as black */
 };
 

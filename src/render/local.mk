@@ -1,5 +1,7 @@
 src_libalidade_la_SOURCES += \
 	src/render/aa.c src/render/aa.h \
+	src/render/budget.c src/render/budget.h \
+	src/render/estimate.c src/render/estimate.h \
 	src/render/fill.c src/render/fill.h \
 	src/render/fold.c src/render/fold.h \
 	src/render/lens.c src/render/lens.h \

@@ -13,6 +13,7 @@
 
 #include "film/tone.h"
 #include "render/aa.h"
+#include "render/budget.h"
 #include "render/fill.h"
 #include "render/render.h"
 #include "shade/camera.h"
@@ -60,7 +61,7 @@ static struct aa_tile tile_at(const struct job *j, uint32_t i)
 }
 
 /* The standard errors of r, g and b as they are stored: the slope of the encoding carries them over. */
-static void put_error(float *out, const struct aa_pixel *p, double gamma)
+static void put_error(float *out, const struct aa_pixel *p, double gamma, double more)
 {
 	const double c[] = { p->colour.r, p->colour.g, p->colour.b };
 	const double v[] = { p->variance.r, p->variance.g, p->variance.b };
@@ -68,8 +69,7 @@ static void put_error(float *out, const struct aa_pixel *p, double gamma)
 	for (int i = 0; i < 3; i++) {
 		double slope = gamma > 0 && gamma != 1 && c[i] > 0 ? gamma * pow(c[i], gamma - 1) : 1;
 
-		/* The root of a variance from n values is too small by about 1 / (4 n - 4). */
-		out[i] = (float)(slope * sqrt(fmax(0, v[i])) * (1 + 0.25 / (ERROR_SETS - 1)));
+		out[i] = v[i] < 0 ? -1 : (float)fmin(slope * sqrt(v[i]) * more, 0x1p127);
 	}
 }
 
@@ -85,8 +85,11 @@ static bool put_pixel(const struct job *j, float *out, const struct aa_pixel *p)
 	out[1] = (float)c.g;
 	out[2] = (float)c.b;
 	out[3] = (float)(1 - p->transmit);
+	/* The root of a variance from n values is too small by about 1 / (4 n - 4). */
 	if (channels > 4)
-		put_error(out + 4, p, gamma);
+		put_error(out + 4, p, gamma, j->whole.budget ? 1 : 1 + 0.25 / (ERROR_SETS - 1));
+	if (channels > 7)
+		out[7] = (float)p->samples;
 	for (uint32_t i = 0; i < channels; i++)
 		nothing += out[i] * 0;
 	if (nothing == 0)
@@ -273,15 +276,17 @@ static void fill_defaults(struct render_options *o)
 	}
 	if (!o->tile)
 		o->tile = TILE;
+	if (o->budget && !o->spp)
+		o->spp = o->deadline > 0 ? RENDER_SPP_LIMIT : RENDER_SPP_MOST;
 	if (!(o->aa_gamma > 0))
 		o->aa_gamma = 2.5;
 }
 
 static enum status make_image(struct job *j, struct mem_book *book, struct diag *d)
 {
-	static const char *const name[] = { "R", "G", "B", "A", "Error.R", "Error.G", "Error.B" };
+	static const char *const name[] = { "R", "G", "B", "A", "Error.R", "Error.G", "Error.B", "Samples.Y" };
 	const struct render_options *o = &j->whole;
-	uint32_t channels = o->error ? 7 : 4;
+	uint32_t channels = !o->error ? 4 : o->budget ? 8 : 7;
 	struct image *out = j->image;
 	enum status st = image_init(out, book, o->crop_width, o->crop_height, channels, d);
 
@@ -303,8 +308,11 @@ static double mean_error(const struct image *out)
 	if (out->channels < 5)
 		return -1;
 	for (size_t i = 0; i < pixels; i++) {
-		for (uint32_t k = 4; k < 7; k++)
+		for (uint32_t k = 4; k < 7; k++) {
+			if (out->pixel[i * out->channels + k] < 0)
+				return -1;
 			sum += (double)out->pixel[i * out->channels + k];
+		}
 	}
 	return sum / (3 * (double)pixels);
 }
@@ -340,12 +348,61 @@ static bool fill(struct job *j, struct pool *pool)
 	return false;
 }
 
+/* All that a budget's passes found, into the picture. */
+static void put_budget(struct job *j, const struct budget *b)
+{
+	const struct render_options *o = &j->whole;
+	float *out = j->image->pixel;
+
+	for (uint32_t y = o->crop_y; y < o->crop_y + o->crop_height; y++) {
+		for (uint32_t x = o->crop_x; x < o->crop_x + o->crop_width; x++, out += j->image->channels) {
+			struct aa_pixel p;
+
+			if (!budget_pixel(b, x, y, &p))
+				continue;
+			j->done++;
+			if (!put_pixel(j, out, &p))
+				note_nonfinite(j->counts, x, y);
+		}
+	}
+	budget_tell(b, &j->counts->reached);
+}
+
+static void render_budget(struct job *j, struct pool *pool, struct mem_book *book)
+{
+	struct budget *b = budget_new(j->worker, pool, book);
+	bool stopped = false;
+
+	if (!b) {
+		atomic_store(&j->no_memory, true);
+		return;
+	}
+	if (budget_render(b, &stopped) || stopped)
+		put_budget(j, b);
+	else
+		atomic_store(&j->no_memory, true);
+	atomic_store(&j->stopped, stopped);
+	budget_free(b);
+}
+
+static void render_tiles(struct job *j, struct pool *pool, struct mem_book *book)
+{
+	uint32_t down = (j->whole.crop_height + j->whole.tile - 1) / j->whole.tile;
+
+	if (!fill(j, pool))
+		return;
+	if (j->whole.budget)
+		render_budget(j, pool, book);
+	else
+		pool_run(pool, j->across * down, render_tile, j);
+}
+
 enum status render_scene(const struct scene *scene, const struct geometry *geometry,
 			 const struct render_options *options, struct pool *pool, struct mem_book *book,
 			 struct image *out, struct render_counts *counts, struct diag *d)
 {
 	struct job j = { .whole = *options, .image = out, .counts = counts };
-	uint32_t threads = pool_threads(pool), down;
+	uint32_t threads = pool_threads(pool);
 	double start = seconds();
 	enum status st = check(options, d);
 
@@ -367,13 +424,11 @@ enum status render_scene(const struct scene *scene, const struct geometry *geome
 	j.shader.soft_rounds = soft_rounds(scene, &j.whole);
 	j.shader.subsurface_rays = subsurface_rays(scene, &j.whole);
 	j.across = (j.whole.crop_width + j.whole.tile - 1) / j.whole.tile;
-	down = (j.whole.crop_height + j.whole.tile - 1) / j.whole.tile;
 	pthread_mutex_init(&j.lock, NULL);
 	if (!make_workers(&j, threads, book)) {
 		st = diag_no_memory(d, "rendering", 0);
 	} else {
-		if (fill(&j, pool))
-			pool_run(pool, j.across * down, render_tile, &j);
+		render_tiles(&j, pool, book);
 		sum_counts(&j, threads);
 		counts->seconds = seconds() - start;
 		counts->error = mean_error(out);
@@ -383,6 +438,8 @@ enum status render_scene(const struct scene *scene, const struct geometry *geome
 			st = STATUS_SIGINT;
 		else if (counts->nonfinite)
 			st = STATUS_NONFINITE;
+		else if (counts->reached.missed)
+			st = STATUS_BUDGET;
 	}
 	free_workers(&j, threads);
 	cache_release(&j.cache);

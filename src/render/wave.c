@@ -54,7 +54,7 @@ static bool root_ray(const struct worker *w, const struct wave_root *r, struct n
 static void root_cone(const struct worker *w, const struct wave_root *r, struct node *n)
 {
 	const struct render_options *o = w->options;
-	double step = o->spp ? 1 / sqrt(o->spp) : o->aa == RENDER_AA_GRID ? 1.0 / o->aa_n : 1;
+	double step = o->budget ? 0.25 : o->spp ? 1 / sqrt(o->spp) : o->aa == RENDER_AA_GRID ? 1.0 / o->aa_n : 1;
 	vec org, dir;
 
 	if (!camera_ray(&w->shader->scene->camera, r->x + step, r->y, o->width, o->height, &org, &dir))

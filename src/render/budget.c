@@ -23,8 +23,8 @@
 #include <string.h>
 
 #include "base/clock.h"
-#include "render/estimate.h"
 #include "render/paths.h"
+#include "render/streams.h"
 
 #define SIZE_FIRST 2 /* samples of the first sets, */
 #define SIZE_PAIRS 8 /* and pairs of sets after which their size doubles, */
@@ -38,22 +38,6 @@
 #define HASTE 1.05 /* a pass takes so much longer than it should, perhaps */
 #define CONFIDENCE 1.645 /* standard errors, one-sided: 95 % */
 
-enum { A, B, STREAMS };
-
-struct pixel {
-	float origin[ESTIMATE_VALUES]; /* its first sample; all else counts from there */
-	struct moments run[STREAMS];
-	float mean[ESTIMATE_VALUES], variance[ESTIMATE_VALUES]; /* of the stream that ended before the other */
-	float sets; /* of it, as moments_sets() */
-	float pilot[STREAMS]; /* squared error as it is seen, times samples of both streams, after the pilot */
-	uint32_t kept_n; /* samples of it */
-	uint32_t pairs; /* of whole sets, traced */
-	bool started, bad, beside; /* beside: not of the picture, but of its neighbourhood */
-	bool ended[STREAMS], kept; /* kept: mean, variance, sets are of the one of A and B that is ended[] first */
-	uint8_t first; /* which */
-	bool done;
-};
-
 /* Where a pass ends: after so many pairs of sets, and a last pair of other sizes. */
 struct target {
 	uint32_t pairs, rest[STREAMS], samples;
@@ -63,10 +47,11 @@ struct budget {
 	struct worker *worker;
 	struct pool *pool;
 	const struct render_options *o;
-	struct pixel *pixel;
+	struct streams *pixel;
 	uint32_t x, y, width, height; /* of the pixels that are looked at */
 	uint32_t tile, across, down;
 	struct estimate_view view;
+	uint32_t values; /* that are looked at: with the background's share only if it is wanted */
 	struct target now, next, cap;
 	uint32_t pilot; /* pairs of sets before anything is decided */
 	bool last; /* time is too short for another pass */
@@ -105,12 +90,12 @@ static struct target exactly(uint32_t samples)
 
 	for (; left >= 2 * set_size(t.pairs); t.pairs++)
 		left -= 2 * set_size(t.pairs);
-	t.rest[A] = (left + 1) / 2;
-	t.rest[B] = left / 2;
+	t.rest[STREAM_A] = (left + 1) / 2;
+	t.rest[STREAM_B] = left / 2;
 	return t;
 }
 
-static struct pixel *pixel_at(const struct budget *b, uint32_t x, uint32_t y)
+static struct streams *pixel_at(const struct budget *b, uint32_t x, uint32_t y)
 {
 	return &b->pixel[(size_t)y * b->width + x];
 }
@@ -149,6 +134,7 @@ struct budget *budget_new(struct worker *worker, struct pool *pool, struct mem_b
 	b->o = worker->options;
 	b->tile = b->o->tile;
 	b->view = (struct estimate_view){ .gamma = scene->assumed_gamma, .clips = b->o->clips };
+	b->values = worker->shader->alpha ? ESTIMATE_VALUES : 3;
 	b->cap = exactly(b->o->spp);
 	while (whole(b->pilot).samples < fmax(PILOT_LEAST, PILOT / fmax(b->o->noise, 1e-3)))
 		b->pilot++;
@@ -237,13 +223,7 @@ static void sums(const struct path_run *r, double out[ESTIMATE_VALUES])
 	out[3] = r->transmit;
 }
 
-/* Where first samples are taken now: what coarser grids have is left out. */
-static bool is_first(const struct budget *b, uint32_t x, uint32_t y)
-{
-	return !pixel_at(b, x, y)->started;
-}
-
-/* The first sample of each pixel. */
+/* The first sample of each pixel that a coarser grid does not have. */
 static void start_tile(void *arg, uint32_t tile, uint32_t thread)
 {
 	struct budget *b = arg;
@@ -257,7 +237,7 @@ static void start_tile(void *arg, uint32_t tile, uint32_t thread)
 	w->run.count = 0;
 	for (uint32_t y = t.y; y < t.y + t.height; y += b->step) {
 		for (uint32_t x = t.x; x < t.x + t.width; x += b->step) {
-			struct path_run *r = is_first(b, x, y) ? push_run(w, b, x, y) : NULL;
+			struct path_run *r = pixel_at(b, x, y)->started ? NULL : push_run(w, b, x, y);
 
 			if (r)
 				r->count = 1;
@@ -269,7 +249,7 @@ static void start_tile(void *arg, uint32_t tile, uint32_t thread)
 		return;
 	for (uint32_t i = 0; i < w->run.count; i++) {
 		const struct path_run *r = BUF_AT(&w->run, struct path_run, i);
-		struct pixel *p = pixel_at(b, r->x - b->x, r->y - b->y);
+		struct streams *p = pixel_at(b, r->x - b->x, r->y - b->y);
 
 		sums(r, v);
 		for (int k = 0; k < ESTIMATE_VALUES; k++)
@@ -279,7 +259,7 @@ static void start_tile(void *arg, uint32_t tile, uint32_t thread)
 	}
 }
 
-static bool goes_on(const struct pixel *p)
+static bool goes_on(const struct streams *p)
 {
 	return p->started && !p->done && !p->bad;
 }
@@ -287,14 +267,14 @@ static bool goes_on(const struct pixel *p)
 /* The sets of one pixel from where it stands to where the pass ends. Of the first set one sample is there. */
 static void push_sets(const struct budget *b, struct worker *w, uint32_t x, uint32_t y)
 {
-	const struct pixel *p = pixel_at(b, x, y);
+	const struct streams *p = pixel_at(b, x, y);
 	const struct target *to = &b->next;
 
 	if (!goes_on(p))
 		return;
 	for (uint32_t pair = p->pairs; pair <= to->pairs; pair++) {
-		for (uint32_t s = A; s < STREAMS; s++) {
-			uint32_t size = pair < to->pairs ? set_size(pair) : to->rest[s], first = !pair && s == A;
+		for (uint32_t s = STREAM_A; s < STREAMS; s++) {
+			uint32_t size = pair < to->pairs ? set_size(pair) : to->rest[s], first = !pair && s == STREAM_A;
 			struct path_run *r = size ? push_run(w, b, x, y) : NULL;
 
 			if (!r)
@@ -308,7 +288,7 @@ static void push_sets(const struct budget *b, struct worker *w, uint32_t x, uint
 
 static void take_set(const struct budget *b, const struct path_run *r)
 {
-	struct pixel *p = pixel_at(b, r->x - b->x, r->y - b->y);
+	struct streams *p = pixel_at(b, r->x - b->x, r->y - b->y);
 	double v[ESTIMATE_VALUES];
 
 	p->bad |= !r->finite;
@@ -341,25 +321,6 @@ static void trace_tile(void *arg, uint32_t tile, uint32_t thread)
 		take_set(b, BUF_AT(&w->run, struct path_run, i));
 }
 
-/* The error of the whole pixel as it is seen, squared, if both streams were as this one is. */
-static double squared_error(const struct budget *b, const struct pixel *p, int stream)
-{
-	const struct moments *m = &p->run[stream];
-	uint32_t values = b->worker->shader->alpha ? ESTIMATE_VALUES : 3;
-	double most = 0;
-
-	for (uint32_t k = 0; k < values; k++) {
-		double v = moments_variance(m, (int)k), e = sqrt(fmax(0, v) / 2);
-
-		if (v < 0)
-			return HUGE_VAL;
-		if (k < 3)
-			e = estimate_seen(&b->view, (double)p->origin[k] + moments_mean(m, (int)k), e);
-		most = fmax(most, e);
-	}
-	return most * most;
-}
-
 static void pilot_tile(void *arg, uint32_t tile, uint32_t thread)
 {
 	struct budget *b = arg;
@@ -368,10 +329,10 @@ static void pilot_tile(void *arg, uint32_t tile, uint32_t thread)
 	(void)thread;
 	for (uint32_t y = t.y; y < t.y + t.height; y++) {
 		for (uint32_t x = t.x; x < t.x + t.width; x++) {
-			struct pixel *p = pixel_at(b, x, y);
+			struct streams *p = pixel_at(b, x, y);
 
-			for (int s = A; s < STREAMS && !p->bad; s++)
-				p->pilot[s] = (float)fmin(squared_error(b, p, s) * STREAMS * p->run[s].n, 1e30);
+			for (int s = STREAM_A; s < STREAMS && !p->bad; s++)
+				p->pilot[s] = (float)fmin(streams_error(p, s, &b->view, b->values) * STREAMS * p->run[s].n, 1e30);
 			p->done |= p->beside;
 		}
 	}
@@ -400,26 +361,12 @@ static double neighbours(const struct budget *b, uint32_t x, uint32_t y, int str
  */
 static bool good_enough(const struct budget *b, uint32_t x, uint32_t y, int stream)
 {
-	const struct pixel *p = pixel_at(b, x, y);
-	double sets = moments_sets(&p->run[stream]), n = STREAMS * p->run[stream].n, e = squared_error(b, p, stream);
+	const struct streams *p = pixel_at(b, x, y);
+	double sets = moments_sets(&p->run[stream]), n = STREAMS * p->run[stream].n, e = streams_error(p, stream, &b->view, b->values);
 
 	/* What comes seldom, a pixel may not have met yet. */
 	e += VOTE / (sets + VOTE) * fmax(0, neighbours(b, x, y, stream) / n - e);
 	return e * (1 + sqrt(2 / (sets + VOTE))) <= b->o->noise * b->o->noise;
-}
-
-static void keep(struct pixel *p, int stream)
-{
-	const struct moments *m = &p->run[stream];
-
-	for (int k = 0; k < ESTIMATE_VALUES; k++) {
-		p->mean[k] = (float)moments_mean(m, k);
-		p->variance[k] = (float)moments_variance(m, k);
-	}
-	p->sets = (float)moments_sets(m);
-	p->kept_n = m->n;
-	p->first = (uint8_t)stream;
-	p->kept = true;
 }
 
 static void judge_tile(void *arg, uint32_t tile, uint32_t thread)
@@ -430,18 +377,18 @@ static void judge_tile(void *arg, uint32_t tile, uint32_t thread)
 	(void)thread;
 	for (uint32_t y = t.y; y < t.y + t.height; y++) {
 		for (uint32_t x = t.x; x < t.x + t.width; x++) {
-			struct pixel *p = pixel_at(b, x, y);
+			struct streams *p = pixel_at(b, x, y);
 			bool ends[STREAMS];
 
 			if (!goes_on(p))
 				continue;
-			for (int s = A; s < STREAMS; s++)
+			for (int s = STREAM_A; s < STREAMS; s++)
 				ends[s] = p->ended[s] || good_enough(b, x, y, 1 - s);
-			p->done = ends[A] && ends[B];
-			if (!p->done && (ends[A] || ends[B]) && !p->kept)
-				keep(p, ends[A] ? A : B);
-			p->ended[A] = ends[A];
-			p->ended[B] = ends[B];
+			p->done = ends[STREAM_A] && ends[STREAM_B];
+			if (!p->done && (ends[STREAM_A] || ends[STREAM_B]) && !p->kept)
+				streams_keep(p, ends[STREAM_A] ? STREAM_A : STREAM_B);
+			p->ended[STREAM_A] = ends[STREAM_A];
+			p->ended[STREAM_B] = ends[STREAM_B];
 		}
 	}
 }
@@ -568,10 +515,10 @@ bool budget_render(struct budget *b, bool *stopped)
 }
 
 /* Of a pixel that no sample of its own was taken of: the next one up and left of it that has one. */
-static const struct pixel *stand_in(const struct budget *b, uint32_t x, uint32_t y)
+static const struct streams *stand_in(const struct budget *b, uint32_t x, uint32_t y)
 {
 	for (uint32_t step = 1; step <= COARSE; step *= 2) {
-		const struct pixel *p = pixel_at(b, x - x % step, y - y % step);
+		const struct streams *p = pixel_at(b, x - x % step, y - y % step);
 
 		if (p->started)
 			return p;
@@ -579,81 +526,16 @@ static const struct pixel *stand_in(const struct budget *b, uint32_t x, uint32_t
 	return NULL;
 }
 
-/* Mean, variance and effective sets of a stream that takes part in the picture. */
-struct part_mean {
-	double mean[ESTIMATE_VALUES], variance[ESTIMATE_VALUES], sets;
-	uint32_t n;
-};
-
-static struct part_mean of_moments(const struct moments *m)
-{
-	struct part_mean out = { .sets = moments_sets(m), .n = m->n };
-
-	for (int k = 0; k < ESTIMATE_VALUES; k++) {
-		out.mean[k] = moments_mean(m, k);
-		out.variance[k] = moments_variance(m, k);
-	}
-	return out;
-}
-
-static struct part_mean of_stream(const struct pixel *p, int stream)
-{
-	struct part_mean out = { .sets = (double)p->sets, .n = p->kept_n };
-
-	if (!p->kept || p->first != stream)
-		return of_moments(&p->run[stream]);
-	for (int k = 0; k < ESTIMATE_VALUES; k++) {
-		out.mean[k] = (double)p->mean[k];
-		out.variance[k] = (double)p->variance[k];
-	}
-	return out;
-}
-
-/* Without a wish for noise nothing was decided, and all sets are alike. */
-static struct part_mean together(const struct budget *b, const struct pixel *p)
-{
-	struct part_mean a = of_stream(p, A), c = of_stream(p, B);
-	struct moments all = p->run[A];
-
-	moments_merge(&all, &p->run[B]);
-	if (!(b->o->noise > 0) || !a.n || !c.n)
-		return of_moments(&all);
-	if (a.variance[0] < 0 || c.variance[0] < 0) {
-		struct part_mean both = of_moments(&all);
-
-		for (int k = 0; k < ESTIMATE_VALUES; k++)
-			both.mean[k] = 0.5 * (a.mean[k] + c.mean[k]);
-		return both;
-	}
-	for (int k = 0; k < ESTIMATE_VALUES; k++) {
-		a.mean[k] = 0.5 * (a.mean[k] + c.mean[k]);
-		a.variance[k] = 0.25 * (a.variance[k] + c.variance[k]);
-	}
-	a.sets += c.sets - 1; /* so that sets - 1 is what both have of freedom */
-	a.n += c.n;
-	return a;
-}
-
-/*
- * What makes 68 and 95 of 100 values be within one and 1.96 errors: the root of a variance from n values is too small
- * by 1 / (4 n - 4), and Student's distribution wider by twice that; the rest was measured (tests/budget), and is
- * for pixels that are seldom touched by what is bright.
- */
-static double student(double sets)
-{
-	return 1 + 1 / (sets - 1);
-}
-
 bool budget_pixel(const struct budget *b, uint32_t x, uint32_t y, struct aa_pixel *out)
 {
-	const struct pixel *own = pixel_at(b, x - b->x, y - b->y), *p = stand_in(b, x - b->x, y - b->y);
-	struct part_mean m;
+	const struct streams *own = pixel_at(b, x - b->x, y - b->y), *p = stand_in(b, x - b->x, y - b->y);
+	struct stream_mean m;
 	double v[3];
 
 	*out = (struct aa_pixel){ .finite = true };
 	if (!p)
 		return false;
-	m = together(b, p);
+	m = streams_mean(p, b->o->noise > 0);
 	for (int k = 0; k < ESTIMATE_VALUES; k++)
 		m.mean[k] += (double)p->origin[k];
 	out->colour = rgb_make(m.mean[0], m.mean[1], m.mean[2]);
@@ -663,7 +545,7 @@ bool budget_pixel(const struct budget *b, uint32_t x, uint32_t y, struct aa_pixe
 	for (int k = 0; k < 3; k++)
 		v[k] = m.n && p == own ? m.variance[k] : -1;
 	for (int k = 0; k < 3 && v[k] > 0; k++)
-		v[k] *= student(m.sets) * student(m.sets);
+		v[k] *= streams_student(m.sets) * streams_student(m.sets);
 	out->variance = rgb_make(v[0], v[1], v[2]);
 	return true;
 }

@@ -8,4 +8,5 @@ src_libalidade_la_SOURCES += \
 	src/render/paths.c src/render/paths.h \
 	src/render/render.h \
 	src/render/schedule.c \
+	src/render/streams.c src/render/streams.h \
 	src/render/wave.c src/render/wave.h

@@ -100,11 +100,14 @@ TESTS += tests/unit/test_shade tests/unit/test_indirect
 endif
 
 if HAVE_CMOCKA
-check_PROGRAMS += tests/unit/test_render
+check_PROGRAMS += tests/unit/test_render tests/unit/test_estimate
+tests_unit_test_estimate_SOURCES = tests/unit/test_estimate.c
+tests_unit_test_estimate_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_estimate_LDADD = $(UNIT_LIBS)
 tests_unit_test_render_SOURCES = tests/unit/test_render.c
 tests_unit_test_render_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_render_LDADD = $(UNIT_LIBS)
-TESTS += tests/unit/test_render
+TESTS += tests/unit/test_render tests/unit/test_estimate
 endif
 
 if HAVE_CMOCKA

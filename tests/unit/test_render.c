@@ -134,6 +134,8 @@ static void nothing_but_the_scene_decides(void **state)
 		{ .aa = RENDER_AA_POV1, .aa_n = 3, .aa_threshold = 0.1 },
 		{ .aa = RENDER_AA_POV2, .aa_n = 3, .aa_threshold = 0.1 },
 		{ .spp = 21 },
+		{ .budget = true, .noise = 0.1 },
+		{ .budget = true, .spp = 11 },
 	};
 	struct stage *st = *state;
 

@@ -196,6 +196,24 @@ static void test_samples(void **state)
 	}
 	assert_int_equal(parse(&f, "--spp 0 a.pov"), STATUS_USAGE);
 	settings_release(&f.s);
+	assert_int_equal(finish(&f, "--noise .01 --time 5 -o a.exr a.ini", &job), STATUS_OK);
+	assert_true(f.s.render.budget && f.s.render.error && !f.s.render.clips);
+	assert_true(f.s.render.noise == .01 && f.s.render.seconds == 5);
+	settings_describe(&f.s, text, sizeof(text));
+	assert_string_equal(text, "800x600 noise 0.01 time 5 error layer");
+	settings_release(&f.s);
+	assert_int_equal(finish(&f, "--noise 0 --spp 9 -o a.png a.ini", &job), STATUS_OK);
+	assert_true(f.s.render.budget && !f.s.render.error && f.s.render.clips);
+	settings_release(&f.s);
+	assert_int_equal(finish(&f, "--spp 9 --error-layer -o a.exr a.ini", &job), STATUS_OK);
+	assert_true(f.s.render.budget && f.s.render.error);
+	settings_release(&f.s);
+	assert_int_equal(finish(&f, "--noise 0 a.ini", &job), STATUS_USAGE);
+	settings_release(&f.s);
+	assert_int_equal(parse(&f, "--time 0 a.pov"), STATUS_USAGE);
+	settings_release(&f.s);
+	assert_int_equal(parse(&f, "--noise 2 a.pov"), STATUS_USAGE);
+	settings_release(&f.s);
 }
 
 /* The .ini's wishes, and the command line's, which win. Rows and columns as POV-Ray 3.7 was seen to take

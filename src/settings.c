@@ -51,7 +51,8 @@ static const struct option_spec alidade_option[] = {
 	  "of 8 bits 0.004",
 	  NULL },
 	{ "time", KEY_TIME, OPTION_ARG, "S", COMPLETE_WORDS, "1 10 60 600",
-	  "the best picture that S seconds can give, with reading and building; with --noise, no longer than that takes",
+	  "the best picture that S seconds can give, with reading and building; with --noise, no longer than that "
+	  "takes",
 	  NULL },
 	{ "blur-samples", KEY_BLUR_SAMPLES, OPTION_ARG, "N", COMPLETE_NOTHING, NULL,
 	  "focal blur: N rays a sample; otherwise as many as a good picture takes", NULL },

@@ -109,7 +109,8 @@ static uint32_t least(uint32_t a, uint32_t b)
 static void place(struct budget *b)
 {
 	const struct render_options *o = b->o;
-	uint32_t right = o->crop_x + o->crop_width, bottom = o->crop_y + o->crop_height, around = o->noise > 0 ? AROUND : 0;
+	uint32_t right = o->crop_x + o->crop_width, bottom = o->crop_y + o->crop_height;
+	uint32_t around = o->noise > 0 ? AROUND : 0;
 
 	b->x = o->crop_x - least(o->crop_x, around);
 	b->y = o->crop_y - least(o->crop_y, around);
@@ -321,6 +322,11 @@ static void trace_tile(void *arg, uint32_t tile, uint32_t thread)
 		take_set(b, BUF_AT(&w->run, struct path_run, i));
 }
 
+static double stream_error(const struct budget *b, const struct streams *p, int stream)
+{
+	return streams_error(p, stream, &b->view, b->values);
+}
+
 static void pilot_tile(void *arg, uint32_t tile, uint32_t thread)
 {
 	struct budget *b = arg;
@@ -332,7 +338,7 @@ static void pilot_tile(void *arg, uint32_t tile, uint32_t thread)
 			struct streams *p = pixel_at(b, x, y);
 
 			for (int s = STREAM_A; s < STREAMS && !p->bad; s++)
-				p->pilot[s] = (float)fmin(streams_error(p, s, &b->view, b->values) * STREAMS * p->run[s].n, 1e30);
+				p->pilot[s] = (float)fmin(1e30, stream_error(b, p, s) * STREAMS * p->run[s].n);
 			p->done |= p->beside;
 		}
 	}
@@ -362,7 +368,7 @@ static double neighbours(const struct budget *b, uint32_t x, uint32_t y, int str
 static bool good_enough(const struct budget *b, uint32_t x, uint32_t y, int stream)
 {
 	const struct streams *p = pixel_at(b, x, y);
-	double sets = moments_sets(&p->run[stream]), n = STREAMS * p->run[stream].n, e = streams_error(p, stream, &b->view, b->values);
+	double sets = moments_sets(&p->run[stream]), n = STREAMS * p->run[stream].n, e = stream_error(b, p, stream);
 
 	/* What comes seldom, a pixel may not have met yet. */
 	e += VOTE / (sets + VOTE) * fmax(0, neighbours(b, x, y, stream) / n - e);

@@ -76,7 +76,8 @@ struct render_reached {
 	bool missed; /* pixels did not get good enough, or had no sample of their own */
 	bool cut; /* time was over within a pass: how far it came depends on the threads */
 	double noise_asked, seconds_asked; /* 0: not asked for */
-	double noise; /* root of the mean square, over pixels and channels, of errors as they are seen; below 0: unknown */
+	double noise; /* root of the mean square of errors as they are seen, over all pixels and channels; below 0:
+		       * unknown */
 	double bound; /* the true one is below this with a probability of 95 % */
 	uint64_t unfinished; /* pixels that are not good enough */
 	uint64_t empty; /* pixels without a sample of their own */
@@ -99,7 +100,8 @@ struct render_counts {
 /* Render into out, an image of the crop's size made here (R, G, B, A, linear, premultiplied; A is 1 but
  * where the background is seen through). Pixels not finished when stopped are all 0, and the status is
  * then STATUS_SIGINT; STATUS_NONFINITE if the picture is complete but nonfinite is not 0; STATUS_BUDGET if it
- * is, but a budget was missed. out is valid in all these cases. The same scene and size give the same bytes for any accelerator, number of threads and
+ * is, but a budget was missed. out is valid in all these cases. The same scene
+ * and size give the same bytes for any accelerator, number of threads and
  * tile side, and a crop equals the same part of the whole. */
 enum status render_scene(const struct scene *, const struct geometry *, const struct render_options *,
 			 struct pool *, struct mem_book *, struct image *out, struct render_counts *,

@@ -47,14 +47,16 @@ ok "noise on one thread" draw -t 1 --noise=0.03 -o a.pfm "$scenes/room.pov"
 ok "the summary says what was asked and reached" grep -q '0.03 asked' said
 ok "the samples that it says" draw_again -o b.pfm "$scenes/room.pov"
 ok "draw the same bytes" cmp a.pfm b.pfm
-ok "and on three, with other tiles and no accelerator" draw -t 3 --tile=7 -a none --noise=0.03 -o b.pfm "$scenes/room.pov"
+ok "and on three, with other tiles and no accelerator" draw -t 3 --tile=7 -a none --noise=0.03 -o b.pfm \
+	"$scenes/room.pov"
 ok "give the same bytes" cmp a.pfm b.pfm
 ok "noise of a whole picture" draw --noise=0.02 -o whole.exr "$scenes/rare.pov"
 ok "and of a part" draw --noise=0.02 --crop=7,5,20,18 -o part.exr "$scenes/rare.pov"
 if command -v oiiotool >/dev/null && command -v idiff >/dev/null; then
 	ok "cut out" oiiotool whole.exr --cut 20x18+7+5 --fullpixels -o cut.exr
 	ok "is that part, with its layers" sh -c 'idiff -q -fail 0 -warn 0 part.exr cut.exr'
-	ok "which are there" sh -c 'oiiotool --info -v part.exr | grep -q "R, G, B, Error.R, Error.G, Error.B, Samples.Y"'
+	ok "which are there" sh -c 'oiiotool --info -v part.exr |
+		grep -q "R, G, B, Error.R, Error.G, Error.B, Samples.Y"'
 fi
 ok "too few samples" fails 5 draw --noise=0.005 --spp=40 --stats=stats.json -o a.png "$scenes/room.pov"
 ok "are an error that counts pixels" grep -q 'error: the budget was missed.*[0-9] pixels are not below 0.005' said

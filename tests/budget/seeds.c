@@ -28,7 +28,6 @@
 #define VALUES (3 * PIXELS)
 #define FIXED 128
 #define ALIKE 1e-6 /* values that differ by less over the seeds are not random */
-#define NEAR_WHITE 1 /* linear */
 
 struct stage {
 	struct mem_book book;
@@ -247,8 +246,8 @@ int main(int argc, char **argv)
 			ok(&st, false, argv[i], "could not be drawn");
 			continue;
 		}
-		printf("# %u values, %.1f samples a pixel; z %.2f, bias %.2g, chi %.3f; within 1: %.2f %%, within 1.96: "
-		       "%.2f %%; error %.4f, told %.4f, asked %.4f\n", j.values, j.samples, j.z, j.bias, j.chi,
+		printf("# %u values, %.1f samples a pixel; z %.2f, bias %.2g, chi %.3f; within 1: %.2f %%, "
+		       "within 1.96: %.2f %%; error %.4f, told %.4f, asked %.4f\n", j.values, j.samples, j.z, j.bias, j.chi,
 		       100 * j.one, 100 * j.two, j.rmse, j.told, noise);
 		ok(&st, fabs(j.z) < 3.3 && j.chi < 1.25, argv[i], "the mean is that of a fixed number of samples");
 		ok(&st, fabs(j.one - 0.6827) < 0.03 && fabs(j.two - 0.95) < 0.03, argv[i],

@@ -8,7 +8,7 @@ camera { location <0, 0, -4> direction z right 4/3*x up y }
 plane { -z, -4 pigment { rgb 0.02 } finish { ambient 1 diffuse 0 } }
 #declare S = seed(3);
 #declare I = 0;
-#while (I < 160)
+#while (I < 40)
 	sphere { <4*rand(S) - 2, 3*rand(S) - 1.5, 1.4*rand(S)>, 0.012 pigment { rgb 1 + 6*rand(S) }
 		finish { ambient 1 diffuse 0 } }
 	#declare I = I + 1;

@@ -64,7 +64,7 @@ def main():
         return
     page = report.Report()
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        for outcome in pool.map(lambda each: attempt(*each, folder), enumerate(names)):
+        for outcome in pool.map(lambda each: attempt(*each, folder), enumerate(names, 1)):
             breadth.tell(outcome, page)
     page.write(folder + '.html')
     tap.note('report: %s.html' % folder, '%.0f s of processor time' % sum(os.times()[:4]))

@@ -564,14 +564,14 @@ ALD_INLINE int ald_triangle(const ald_prep *p, const ald_ray *r, const ald_vec v
 	return 1;
 }
 
-/* For the host: t, u and v of the triangle that has won, whose corners are v. */
-ALD_INLINE void ald_exact_settle(const ald_prep *p, const ald_vec v[3], ald_hit *hit)
+/* For the host: t, u and v of the triangle that has won, whose corners are v. fused: see ald_product_by(). */
+ALD_INLINE void ald_exact_settle(const ald_prep *p, const ald_vec v[3], ald_hit *hit, int fused)
 {
 	double w[3], det;
 
 	if (!ald_triangle_weights(p, &v[0], &v[1], &v[2], w, &det))
 		return;
-	hit->t = ald_exact_t(p->o, p->d, v);
+	hit->t = ald_exact_t(p->o, p->d, v, fused);
 	hit->u = w[1] / det;
 	hit->v = w[2] / det;
 }

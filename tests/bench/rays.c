@@ -339,7 +339,7 @@ static void settle(const struct bench *b, const ald_ray *r, ald_hit *hit)
 		return;
 	ald_ray_prep(&b->mesh.frame, r, &prep);
 	ald_corners(&b->mesh.prims, hit->prim, 0, v);
-	ald_exact_settle(&prep, v, hit);
+	ald_exact_settle(&prep, v, hit, 0);
 }
 
 static void fire(struct bench *b, struct engine *e, unsigned kind, uint32_t round)

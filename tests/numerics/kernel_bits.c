@@ -83,7 +83,7 @@ static void add_exact(const ald_ray *r, const ald_vec v[3], const ald_vec w[3])
 	if (!x.dens || !y.dens)
 		return;
 	add(ald_ratio_compare(&x, &y));
-	add(ald_exact_t(o, d, v));
+	add(ald_exact_t(o, d, v, 0));
 }
 
 static void round_once(unsigned hostile)

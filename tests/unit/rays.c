@@ -294,7 +294,7 @@ void mesh_settle(const struct mesh *m, const ald_ray *r, ald_hit *hit)
 	ald_ray_prep(&m->frame, r, &prep);
 	for (unsigned k = 0; k < 3; k++)
 		v[k] = m->vertex[m->index[3 * hit->prim + k]];
-	ald_exact_settle(&prep, v, hit);
+	ald_exact_settle(&prep, v, hit, 0);
 }
 
 void mesh_release(struct mesh *m)

@@ -30,7 +30,7 @@
 /* Shares of the budget by whose end a stage ends. */
 #define END_ALONE 0.5
 #define END_PARAMETERS 0.65
-#define END_COMBINED 0.92
+#define END_COMBINED 0.85
 
 static bool picture_there(const struct trade_child *c)
 {
@@ -492,20 +492,25 @@ static enum status verify_all(struct trade *t)
 	return st;
 }
 
-/* Settings that a verdict could not tell apart are measured again, as long as that may help. */
+/* What verdicts lack, and nothing else: settings that could not be told apart are measured again, as long as
+ * that may help, and those of few runs as often as others. */
 static enum status playoff(struct trade *t)
 {
 	enum status st = trade_decide(t);
 
+	for (uint32_t i = 1; i < t->settings; i++)
+		t->setting[i].target = t->setting[i].runs;
 	for (uint32_t i = 0; i < t->verdicts && !st; i++) {
 		const struct trade_verdict *v = &t->verdict[i];
+		uint32_t target = v->outcome == TRADE_TIED ? PLAYOFFS * t->repeat : t->repeat;
 
-		if (v->outcome != TRADE_TIED)
+		if (v->outcome != TRADE_TIED && v->outcome != TRADE_UNSURE)
 			continue;
 		for (uint32_t k = 0; k <= v->ties; k++) {
-			const struct trade_setting *tied = k ? v->tied[k - 1] : v->pick;
+			const struct trade_setting *one = k ? v->tied[k - 1] : v->pick;
+			struct trade_setting *s = &t->setting[one - t->setting];
 
-			t->setting[tied - t->setting].target = PLAYOFFS * t->repeat;
+			s->target = s->target > target ? s->target : target;
 		}
 	}
 	if (!st)

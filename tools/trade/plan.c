@@ -301,7 +301,8 @@ enum status trade_sweep(struct trade *t, const char *text)
 	for (size_t i = 0; i < DEFAULT_SWEEPS && !st; i++) {
 		if (!strcmp(default_sweep[i].factor, text)) {
 			known = true;
-			st = sweep_default(t, i);
+			if (!default_sweep[i].radiosity || t->about.radiosity || !strcmp(text, "indirect"))
+				st = sweep_default(t, i);
 		}
 	}
 	if (!known)

@@ -480,11 +480,11 @@ static bool next_pass(struct budget *b)
 	if (!(o->deadline > 0))
 		return true;
 	left = o->deadline - clock_seconds();
-	for (to = b->next.pairs; to > have + 1 && pass_seconds(b, &b->next) > left; to--) {
-		b->next = whole(to - 1);
-		b->last = true; /* else the next one would end where no picture without a clock has one */
+	if (pass_seconds(b, &b->next) > left) {
+		b->next = exactly(b->now.samples + (uint32_t)fmax(0, left / (HASTE * b->rate * (double)b->left)));
+		b->last = true; /* the one after it would end where no picture without a clock has an end */
 	}
-	return pass_seconds(b, &b->next) <= left;
+	return b->next.samples > b->now.samples;
 }
 
 static void pass(struct budget *b)

@@ -254,6 +254,28 @@ ALD_INLINE int ald_ratio_against(const ald_ratio *x, double s, double t)
 	return ald_cross_sign(x->num, x->nums, &half, 1, e, n, x->den, x->dens, power - x->power - 1);
 }
 
+/* Do they lie in one plane across an axis, or have the same corners? Then they are met at one t. */
+ALD_INLINE int ald_same_plane(const ald_vec v[3], const ald_vec w[3])
+{
+	unsigned same = 0;
+
+	for (unsigned i = 0; i < 9; i++) {
+		const ald_vec *a = &v[i / 3], *b = &w[i % 3];
+
+		same += a->x == b->x && a->y == b->y && a->z == b->z;
+	}
+	if (same == 3) /* those of a triangle that is hit differ from each other */
+		return 1;
+	for (unsigned k = 0; k < 3; k++) {
+		double x = (&v[0].x)[k];
+
+		if ((&v[1].x)[k] == x && (&v[2].x)[k] == x && (&w[0].x)[k] == x &&
+		    (&w[1].x)[k] == x && (&w[2].x)[k] == x)
+			return 1;
+	}
+	return 0;
+}
+
 /* ---- t, correctly rounded ---- */
 
 /* a + b and a * b, each of two doubles; off by at most 8 u^2 of |a| + |b| or of the product. */

@@ -474,19 +474,6 @@ ALD_INLINE void ald_triangle_span(const ald_prep *p, const ald_vec v[3], double 
 	*hi = ald_min(t + off, *hi);
 }
 
-/* Do they lie in one plane across an axis? Then they are met at one t. */
-ALD_INLINE int ald_same_level(const ald_vec v[3], const ald_vec w[3])
-{
-	for (unsigned k = 0; k < 3; k++) {
-		double x = ald_get(&v[0], k);
-
-		if (ald_get(&v[1], k) == x && ald_get(&v[2], k) == x && ald_get(&w[0], k) == x &&
-		    ald_get(&w[1], k) == x && ald_get(&w[2], k) == x)
-			return 1;
-	}
-	return 0;
-}
-
 /* The sign of the t of v less that of triangle id. */
 ALD_RARE int ald_exact_order(const ald_prep *p, const ald_vec v[3], uint32_t id)
 {
@@ -494,7 +481,7 @@ ALD_RARE int ald_exact_order(const ald_prep *p, const ald_vec v[3], uint32_t id)
 	ald_vec w[3];
 
 	ald_corners(p->exact, id, p->exact->origin ? ald_group_of(p->exact, id) : 0, w);
-	if (ald_same_level(v, w))
+	if (ald_same_plane(v, w))
 		return 0;
 	ald_ratio_of(p->o, p->d, v, &x);
 	ald_ratio_of(p->o, p->d, w, &y);

@@ -213,6 +213,15 @@ double prim_clamp(const ald_ray *r, const ald_box *b, double t)
 	return t < t0 ? t0 : t;
 }
 
+/* o + d t, rounded at its end only: from far off o and d t all but cancel, and what is left decides whether a
+ * round shape is met at all. */
+static double slid(double o, double d, double t)
+{
+	double low, p = ald_product(d, t, &low), s = o + p, v = s - o;
+
+	return s + (((o - (s - v)) + (p - v)) + low);
+}
+
 bool prim_line(const struct prim *p, const ald_ray *r, struct prim_line *l)
 {
 	vec o = mat_dir(&p->to, vec_sub(r->org, p->centre));
@@ -221,7 +230,7 @@ bool prim_line(const struct prim *p, const ald_ray *r, struct prim_line *l)
 	l->d = mat_dir(&p->to, r->dir);
 	dd = vec_dot(l->d, l->d);
 	l->slide = -vec_dot(o, l->d) / dd;
-	l->o = vec_mad(o, l->d, l->slide);
+	l->o = vec_make(slid(o.x, l->d.x, l->slide), slid(o.y, l->d.y, l->slide), slid(o.z, l->d.z, l->slide));
 	return dd > 0 && isfinite(l->slide);
 }
 

@@ -361,9 +361,10 @@ int main(int argc, char **argv)
 		for (int e = 1; e <= (s == SPHERE ? 8 : 6); e++, tests++) {
 			double away = pow(10, e);
 
-			/* A point is known to some roundoffs of the way there. */
+			/* A point is known to some roundoffs of the way there; a torus is worked on at a size
+			 * that is no power of two, which costs some more where it is grazed. */
 			failures += !cell(s, away, s == SPHERE ? rays : rays / 10, seed + tests,
-					  s == TORUS ? fmax(1e-11, 5e-16 * away) : fmax(1e-12, 3e-15 * away));
+					  s == TORUS ? fmax(1e-10, 3e-15 * away) : fmax(1e-12, 2e-15 * away));
 		}
 	}
 	printf("1..%u\n", tests);

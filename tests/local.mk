@@ -7,7 +7,7 @@ include tests/unit/local.mk
 SHELL_TESTS = tests/headers.sh tests/layers.sh tests/lengths.sh tests/lint.sh tests/cli/broken.sh tests/cli/table.sh \
 	tests/cli/terminator.sh \
 	tests/cli/errors.sh tests/cli/examples.sh tests/cli/files.sh tests/cli/frames.sh tests/cli/output.sh \
-	tests/cli/pages.sh tests/cli/textures.sh tests/cli/texture-filter.sh tests/cli/trade.sh
+	tests/cli/pages.sh tests/cli/textures.sh tests/cli/texture-filter.sh tests/cli/trade.sh tests/cli/vertices.sh
 TESTS += $(SHELL_TESTS)
 include tests/images/local.mk
 EXTRA_DIST += $(SHELL_TESTS) tests/tap.sh tests/cli/scene.pov tests/lengths.py tests/lengths.txt

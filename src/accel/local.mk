@@ -11,4 +11,5 @@ src_libalidade_la_SOURCES += \
 	src/accel/surface.c \
 	src/accel/text.c src/accel/text.h \
 	src/accel/trace.c src/accel/trace.h \
-	src/accel/verify.c src/accel/verify.h
+	src/accel/verify.c src/accel/verify.h \
+	src/accel/vertices.c

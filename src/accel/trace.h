@@ -90,6 +90,21 @@ struct geometry_counts {
 	bool vertex_double;
 };
 
+/* How vertices are kept: as floats where that loses nothing, else as doubles. */
+struct mesh_vertices {
+	uint32_t object; /* in the scene */
+	double loss; /* by how much floats would move a vertex, in world units or those of a shared mesh */
+	double size, offset; /* its extent, and how far from the origin it is, along an axis */
+};
+
+struct geometry_vertices {
+	uint64_t meshes, wide; /* all, those in double */
+	uint64_t demanding; /* those which floats would move; others stand beside them */
+	vec shift; /* the world's origin, that vertices are relative to */
+	struct mesh_vertices worst; /* by loss in relation to size; object SCENE_NONE: all are floats */
+};
+void geometry_get_vertices(const struct geometry *, struct geometry_vertices *);
+
 /* Compile the scene and build its accelerators. The scene must outlive the geometry. */
 enum status geometry_build(struct geometry **out, const struct scene *, const struct accel_choice *,
 			   struct pool *, struct mem_book *, bool count, struct diag *);

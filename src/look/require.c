@@ -77,7 +77,28 @@ static void print_lights(const struct scene *s, FILE *out)
 		point, spot, cylinder, parallel, area, shadowless);
 }
 
-static void print_structure(const struct geometry *g, const char *accel, FILE *out)
+/* Which numbers the vertices are kept in, and what decided it. */
+static void print_vertices(const struct scene *s, const struct geometry *g, FILE *out)
+{
+	struct geometry_vertices v;
+	const struct object *o;
+
+	geometry_get_vertices(g, &v);
+	fprintf(out, "  vertices of %" PRIu64 " mesh%s in double, of %" PRIu64 " in float, exactly\n", v.wide,
+		v.wide == 1 ? "" : "es", v.meshes - v.wide);
+	if (v.shift.x != 0 || v.shift.y != 0 || v.shift.z != 0)
+		fprintf(out, "  vertices are relative to <%.9g, %.9g, %.9g>, as the scene is far from the origin\n",
+			v.shift.x, v.shift.y, v.shift.z);
+	if (v.worst.object == SCENE_NONE)
+		return;
+	o = &s->object[v.worst.object];
+	fprintf(out, "  floats would change %" PRIu64 " of them, most the one in %s:%u, by %.2g of its size", v.demanding,
+		o->pos.file ? o->pos.file : "the scene", o->pos.line, v.worst.loss / v.worst.size);
+	fprintf(out, " (%.3g units; it is %.3g wide, %.3g off the origin)\n", v.worst.loss, v.worst.size,
+		v.worst.offset);
+}
+
+static void print_structure(const struct scene *s, const struct geometry *g, const char *accel, FILE *out)
 {
 	struct geometry_counts c = { 0 };
 
@@ -88,9 +109,10 @@ static void print_structure(const struct geometry *g, const char *accel, FILE *o
 	fprintf(out, "  instances %" PRIu64 ", unbounded %" PRIu64 "; left out for lack of area %" PRIu64 "\n",
 		c.instances, c.unbounded, c.dropped);
 	if (c.triangles + c.primitives + c.instances)
-		fprintf(out, "  extent %.6g %.6g %.6g to %.6g %.6g %.6g; vertices in %s\n", c.box.lo.x,
-			c.box.lo.y, c.box.lo.z, c.box.hi.x, c.box.hi.y, c.box.hi.z,
-			c.vertex_double ? "double" : "float, exactly");
+		fprintf(out, "  extent %.6g %.6g %.6g to %.6g %.6g %.6g\n", c.box.lo.x, c.box.lo.y, c.box.lo.z,
+			c.box.hi.x, c.box.hi.y, c.box.hi.z);
+	if (c.triangles)
+		print_vertices(s, g, out);
 }
 
 static void print_memory(const struct mem_book *book, FILE *out)
@@ -128,6 +150,6 @@ void require_text(const struct scene *s, const struct geometry *g, const char *a
 	if (s->radiosity.given)
 		fprintf(out, "  indirect light of %u bounce%s\n", s->radiosity.recursion_limit,
 			s->radiosity.recursion_limit == 1 ? "" : "s");
-	print_structure(g, accel, out);
+	print_structure(s, g, accel, out);
 	print_memory(book, out);
 }

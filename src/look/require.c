@@ -92,8 +92,8 @@ static void print_vertices(const struct scene *s, const struct geometry *g, FILE
 	if (v.worst.object == SCENE_NONE)
 		return;
 	o = &s->object[v.worst.object];
-	fprintf(out, "  floats would change %" PRIu64 " of them, most the one in %s:%u, by %.2g of its size", v.demanding,
-		o->pos.file ? o->pos.file : "the scene", o->pos.line, v.worst.loss / v.worst.size);
+	fprintf(out, "  floats would change %" PRIu64 " of them, most the one in %s:%u, by %.2g of its size",
+		v.demanding, o->pos.file ? o->pos.file : "the scene", o->pos.line, v.worst.loss / v.worst.size);
 	fprintf(out, " (%.3g units; it is %.3g wide, %.3g off the origin)\n", v.worst.loss, v.worst.size,
 		v.worst.offset);
 }

@@ -14,7 +14,9 @@ A scene is drawn three times.
 How good POV-Ray's picture of (b) is. The issue of it is high quality: count 1600, error_bound 0.1, nearest_count 10, or
 what converges. LEVELS has what is tried in turn until both methods have passed; their bounds are always the same.
 First a small picture of count 250, which is nearer than 0.001 (RMSE) to that of 1600 where light bounces once, as in
-the add-on's files: one of them in twenty is measured again in each run. Then two larger ones, whose difference tells
+the add-on's files: one of them in twenty is measured again in each run. Then one of the add-on's scene made 100 times
+larger, where POV-Ray's fixed distances, which at an edge can put one pixel of another thing into the picture, are as
+good as nothing. Then two larger pictures, whose difference tells
 the noise of their mean, which is taken from the RMSE (in squares): where lights are small things that glow, no count
 that POV-Ray can finish is enough (gallery's colours: 0.0145). In larger pictures a pixel at an edge counts for less and
 the cache's places lie closer. And they have error_bound 0.03: at 0.1 POV-Ray evens out the dark below things where
@@ -51,8 +53,10 @@ RADIOSITY = re.compile(r'\bradiosity\s*\{[^{}]*\}')
 # What the add-on's coarse cache is an approximation of.
 HIGH = {'error_bound': '0.1', 'nearest_count': '10', 'pretrace_start': '0.08', 'minimum_reuse': '0.002'}
 FINER = dict(HIGH, error_bound='0.03', minimum_reuse='0.0005')
-# Size, counts of the pictures, other settings.
-LEVELS = ((TINY, (250,), HIGH), (SMALL, (250, 258), FINER), (SIZE, (250, 258), FINER))
+# Size, counts of the pictures, other settings, how many times larger the scene is for POV-Ray.
+LEVELS = ((TINY, (250,), HIGH, 1), (TINY, (250,), HIGH, 100), (SMALL, (250, 258), FINER, 1),
+          (SIZE, (250, 258), FINER, 1))
+ADDON = re.compile(r'\bcamLookAt\b') # enlarge.py knows its files
 CONVERGED = 0.001
 EVERY = 20
 RAYS, MOST_RAYS = 256, 16384 # a picture, of two
@@ -159,9 +163,10 @@ def high(text, count, settings):
     return text.replace(block, better)
 
 
-def best(text, base, size, count, settings):
+def best(text, base, size, count, settings, factor=1):
     return renderers.povray(written(os.path.join(base, 'high.pov'), high(text, count, settings)),
-                            os.path.join(base, 'high-%s-%d.exr' % (count, size[0])), size)
+                            os.path.join(base, 'high-%s-%d-%d.exr' % (count, size[0], factor)), size,
+                            factor=factor)
 
 
 class Ours:
@@ -190,7 +195,7 @@ class Ours:
 
 def converged(text, base, theirs):
     """Is the picture of the least count near that of high quality?"""
-    size, (count,), settings = LEVELS[0]
+    size, (count,), settings, _ = LEVELS[0]
     figures = measure.Figures(theirs, best(text, base, size, 1600, settings))
     said = 'POV-Ray\'s picture of count %s from its own of count 1600: %s' % (count, figures.text())
     return [said] if figures.rmse > CONVERGED else [], [said]
@@ -200,8 +205,10 @@ def indirect(outcome, text, base, check=False):
     """(b)"""
     text = quiet(text)
     ours, left = None, METHODS
-    for size, counts, settings in LEVELS:
-        pictures = [best(text, base, size, count, settings) for count in counts]
+    for size, counts, settings, factor in LEVELS:
+        if factor != 1 and not ADDON.search(text):
+            continue
+        pictures = [best(text, base, size, count, settings, factor) for count in counts]
         theirs, noise = sum(pictures) / len(pictures), deviation(*pictures) if len(pictures) == 2 else 0.0
         if void(theirs, text):
             outcome.notes.append(EXPONENTS)
@@ -213,8 +220,9 @@ def indirect(outcome, text, base, check=False):
             outcome.complaints += more
             outcome.notes += said
             check = False
-        outcome.notes.append('POV-Ray: %dx%d, count %s%s' % (size + (
-            ' and '.join(map(str, counts)), ', noise %.6f' % noise if noise else '')))
+        outcome.notes.append('POV-Ray: %dx%d, count %s%s%s' % (size + (
+            ' and '.join(map(str, counts)), ', noise %.6f' % noise if noise else '',
+            ', the scene made %d times larger' % factor if factor != 1 else '')))
         complaints, missed = [], []
         for method, rmse, mean in left:
             made, about = ours.get(method, rmse, size)

@@ -5,7 +5,8 @@
 A scene is drawn three times.
 (a) Without its radiosity block, all else as it is. Where nothing is random 99.5 % of the pixels have to be
     within 1/255; where a lamp jitters or a lens blurs, both programs take many samples a pixel, and RMSE and mean
-    signed error are judged.
+    signed error are judged. What is missed with 16 samples gets 576: file 59 is 0.0055 off with 64, and so are two of
+    our own pictures of other seeds from one another; without jitter 99.9 % of its pixels are within 1/255.
 (b) With radiosity, and without what makes noise or multiplies rays in both programs and which (a) has judged:
     focal blur, jitter, grain, anti-aliasing. POV-Ray works at high quality: RMSE and mean signed error again, for
     both methods.
@@ -118,25 +119,14 @@ def converging(text, noisy):
     return text, None
 
 
-def direct(outcome, text, base):
-    """(a)"""
-    text = RADIOSITY.sub('', text, count=1)
-    pov = written(os.path.join(base, 'direct.pov'), text)
-    noisy = RANDOM.search(text) is not None
-    text, aa = converging(text, noisy)
-    size = SMALL if noisy else SIZE
-    theirs = renderers.povray(written(os.path.join(base, 'many.pov'), text), os.path.join(base, 'direct.exr'),
-                              size, aa, limit=1800 if noisy else PATIENCE)
-    if void(theirs, text):
-        outcome.notes.append(EXPONENTS)
-        direct(outcome, EXPONENT.sub('', text), base)
-        return
-    renderers.alidade(pov, os.path.join(base, 'direct.pfm'), size, aa=aa, threads=1, good=allowed(theirs))
-    ours = picture.read(os.path.join(base, 'direct.pfm'))
-    outcome.figures = measure.Figures(ours, theirs)
-    if noisy:
-        outcome.complaints += alike(outcome.figures, RMSE, MEAN)
-        return
+def shrunk(light, times):
+    """A picture so many times smaller."""
+    height, width, _ = light.shape
+    return light.reshape(height // times, times, width // times, times, 3).mean(axis=(1, 3))
+
+
+def plain(outcome, pov, ours, base):
+    """(a) where nothing is random: the figures, and if they are bad what POV-Ray makes of a larger scene."""
     outcome.complaints = outcome.figures.complaints(LEAST)
     if not outcome.complaints:
         return
@@ -146,6 +136,33 @@ def direct(outcome, text, base):
         outcome.notes += ['POV-Ray\'s own tolerances, as its picture of the scene made 100 times larger '
                           'shows: ' + sentence for sentence in outcome.complaints]
         outcome.complaints = []
+
+
+def direct(outcome, text, base):
+    """(a)"""
+    text = RADIOSITY.sub('', text, count=1)
+    pov = written(os.path.join(base, 'direct.pov'), text)
+    noisy = RANDOM.search(text) is not None
+    better, aa = converging(text, noisy)
+    many = written(os.path.join(base, 'many.pov'), better)
+    for aa, times in ((aa, 1), ('most', 3)) if aa else ((aa, 1),):
+        size = tuple(n * times for n in (SMALL if noisy else SIZE))
+        theirs = renderers.povray(many, os.path.join(base, 'direct.exr'), size, aa, limit=1800 if noisy else PATIENCE)
+        if void(theirs, text):
+            outcome.notes.append(EXPONENTS)
+            direct(outcome, EXPONENT.sub('', text), base)
+            return
+        renderers.alidade(pov, os.path.join(base, 'direct.pfm'), size, aa=aa, threads=1, good=allowed(theirs))
+        ours = shrunk(picture.read(os.path.join(base, 'direct.pfm')), times)
+        outcome.figures = measure.Figures(ours, shrunk(theirs, times))
+        if not noisy:
+            plain(outcome, pov, ours, base)
+            return
+        found = alike(outcome.figures, RMSE, MEAN)
+        if not found:
+            return
+        outcome.notes += ['missed, anti-aliasing %s: %s' % (aa, c) for c in found]
+    outcome.complaints += found
 
 
 def quiet(text):

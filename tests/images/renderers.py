@@ -11,8 +11,9 @@ import picture
 # POV-Ray 3.7 as the references are made: see scenes/references.sh.
 POVRAY = ['+FE', '-D', '-P', '-UA', '+WT1', '-J']
 POVRAY_AA = {None: ['-A'], 'pov2': ['+A0.03', '+AM2', '+R2', '+AG2.5'],
-             'many': ['+A0.0', '+AM1', '+R4']}
-ALIDADE_AA = {None: 'none', 'pov2': 'pov2:threshold=0.03,depth=2', 'many': 'pov1:threshold=0,depth=4'}
+             'many': ['+A0.0', '+AM1', '+R4'], 'most': ['+A0.0', '+AM1', '+R8']}
+ALIDADE_AA = {None: 'none', 'pov2': 'pov2:threshold=0.03,depth=2', 'many': 'pov1:threshold=0,depth=4',
+              'most': 'pov1:threshold=0,depth=8'}
 
 
 class Failed(Exception):

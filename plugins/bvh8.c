@@ -9,14 +9,17 @@
 
 #include <stdio.h>
 
-static const char *const build_label[] = { "sah", NULL };
+#define CACHE ((uint64_t)2 << 20) /* bytes of a tree that a processor's second cache holds */
+
 static const char *const isa_label[] = { "auto", "plain", "sse", "avx2", "avx512", NULL };
 static const ald_param params[] = {
-	{ "build", "how: sah, by the surface area heuristic", ALD_CHOICE, BUILD_SAH, 0, 0, build_label },
+	{ "split", "references at most, in primitives: long thin triangles in parts; 1: none", ALD_REAL, 10, 1,
+	  100, NULL },
 	{ "leaf", "triangles of a leaf at most", ALD_INT, 8, 1, SEATS * BLOCKS_MAX, NULL },
 	{ "isa", "instruction set; auto: the best there is", ALD_CHOICE, ISA_AUTO, 0, 4, isa_label },
-	{ "interleave", "rays a thread walks with in turns, where they are not coherent; 1: one by one",
-	  ALD_INT, 8, 1, 16, NULL },
+	{ "interleave",
+	  "rays a thread walks with in turns, where they are not coherent; 0: 8 if the tree exceeds a cache, else 1",
+	  ALD_INT, 0, 0, 16, NULL },
 	{ NULL, NULL, 0, 0, 0, 0, NULL },
 };
 
@@ -76,9 +79,14 @@ static int bvh8_build(const ald_host *host, const ald_prims *prims, const double
 			    .bytes = sizeof(*b.a) };
 	status = host->progress(host->ctx, 0) ? ALD_CANCELLED : bvh8_refs(&b);
 	if (!status)
+		status = host->progress(host->ctx, 0.05) ? ALD_CANCELLED : bvh8_split(&b);
+	if (!status)
 		status = host->progress(host->ctx, 0.1) ? ALD_CANCELLED : bvh8_sah(&b);
 	if (!status)
 		status = host->progress(host->ctx, 0.8) ? ALD_CANCELLED : bvh8_widen(&b);
+	b.a->far = b.a->bytes > CACHE;
+	if (!b.a->interleave)
+		b.a->interleave = b.a->far ? 8 : 1;
 	host->free(host->ctx, b.ref);
 	host->free(host->ctx, b.twig);
 	if (status)

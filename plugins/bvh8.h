@@ -64,6 +64,7 @@ struct ald_accel {
 	uint32_t *other;
 	uint32_t root; /* a reference */
 	uint32_t nodes, blocks, others, leaves, depth, interleave;
+	int far; /* the mesh is larger than a cache */
 	double centre[3], scale; /* to X */
 	ald_box box; /* around the primitives, grown (R4) */
 	ald_frame frame;
@@ -81,8 +82,7 @@ struct isa {
 
 extern const struct isa bvh8_plain, bvh8_sse, bvh8_avx2, bvh8_avx512;
 
-enum bvh8_param { P_BUILD, P_LEAF, P_ISA, P_INTERLEAVE };
-enum { BUILD_SAH, BUILD_FAST };
+enum bvh8_param { P_SPLIT, P_LEAF, P_ISA, P_INTERLEAVE };
 enum { ISA_AUTO, ISA_PLAIN, ISA_SSE, ISA_AVX2, ISA_AVX512 };
 
 /* ---- building ---- */
@@ -115,7 +115,6 @@ void *bvh8_take(const ald_host *, uint64_t n, size_t each, const char *what);
 int bvh8_refs(struct builder *); /* ref[] from the primitives */
 int bvh8_split(struct builder *); /* long thin ones in parts */
 int bvh8_sah(struct builder *); /* ref[] in order, and twig[] */
-int bvh8_morton(struct builder *);
 int bvh8_widen(struct builder *); /* twig[] to what rays walk through */
 void bvh8_destroy(ald_accel *);
 

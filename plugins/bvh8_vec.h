@@ -26,6 +26,10 @@ V f4 f4_mul(f4 a, f4 b) { return _mm_mul_ps(a, b); }
 V f4 f4_min(f4 a, f4 b) { return _mm_min_ps(a, b); }
 V f4 f4_max(f4 a, f4 b) { return _mm_max_ps(a, b); }
 V f4 f4_negate(f4 a) { return _mm_xor_ps(a, _mm_set1_ps(-0.0f)); }
+V f4 f4_size(f4 a) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), a); }
+V f4 f4_add(f4 a, f4 b) { return _mm_add_ps(a, b); }
+V f4 f4_div(f4 a, f4 b) { return _mm_div_ps(a, b); }
+V void f4_store(float *p, f4 a) { _mm_store_ps(p, a); }
 V uint32_t f4_le(f4 a, f4 b) { return (uint32_t)_mm_movemask_ps(_mm_cmple_ps(a, b)); }
 #else
 typedef struct {
@@ -75,6 +79,29 @@ V f4 f4_negate(f4 a)
 {
 	EACH4 a.x[i] = -a.x[i];
 	return a;
+}
+
+V f4 f4_size(f4 a)
+{
+	EACH4 a.x[i] = a.x[i] < 0 ? -a.x[i] : a.x[i];
+	return a;
+}
+
+V f4 f4_add(f4 a, f4 b)
+{
+	EACH4 a.x[i] += b.x[i];
+	return a;
+}
+
+V f4 f4_div(f4 a, f4 b)
+{
+	EACH4 a.x[i] /= b.x[i];
+	return a;
+}
+
+V void f4_store(float *p, f4 a)
+{
+	EACH4 p[i] = a.x[i];
 }
 
 V uint32_t f4_le(f4 a, f4 b)

@@ -31,18 +31,12 @@ V float entry_enter(uint64_t e)
 	return t;
 }
 
-struct walk {
-	struct beam beam;
-	uint32_t ref, top, index, found;
-	uint64_t stack[STACK_MAX];
-};
-
-V uint32_t pop(struct walk *w, int any)
+V uint32_t pop(const struct beam *b, const uint64_t *stack, uint32_t *top, int any)
 {
-	while (w->top) {
-		uint64_t e = w->stack[--w->top];
+	while (*top) {
+		uint64_t e = stack[--*top];
 
-		if (any || !(entry_enter(e) > w->beam.tfar))
+		if (any || !(entry_enter(e) > b->tfar))
 			return (uint32_t)e;
 	}
 	return DONE;
@@ -50,16 +44,17 @@ V uint32_t pop(struct walk *w, int any)
 
 /* Through a node: the nearest of what the ray enters is next, the others go on the stack, the nearest of
  * them last. For any hit, as they stand in the node: large boxes first. */
-V uint32_t step_node(const ald_accel *a, struct walk *w, int any)
+V uint32_t step_node(const ald_accel *a, const struct beam *b, uint32_t ref, uint64_t *stack, uint32_t *top,
+		     int any)
 {
-	const struct node *n = &a->node[w->ref];
+	const struct node *n = &a->node[ref];
 	float enter[WIDTH] __attribute__((aligned(32)));
-	uint32_t bits = beam_node(&w->beam, n, enter);
-	uint64_t *first = &w->stack[w->top], *p, e, f;
+	uint32_t bits = beam_node(b, n, enter);
+	uint64_t *first = stack + *top, *p, e, f;
 	unsigned k;
 
 	if (!bits)
-		return pop(w, any);
+		return pop(b, stack, top, any);
 	k = (unsigned)__builtin_ctz(bits);
 	bits &= bits - 1;
 	if (!bits)
@@ -72,7 +67,7 @@ V uint32_t step_node(const ald_accel *a, struct walk *w, int any)
 		*first = f;
 		for (p = first + 1; bits; bits &= bits - 1)
 			*p++ = n->child[__builtin_ctz(bits)];
-		w->top = (uint32_t)(p - w->stack);
+		*top = (uint32_t)(p - stack);
 		return (uint32_t)e;
 	}
 	*first = e > f ? e : f;
@@ -91,69 +86,69 @@ V uint32_t step_node(const ald_accel *a, struct walk *w, int any)
 			*at = at[-1];
 		*at = f;
 	}
-	w->top = (uint32_t)(p - w->stack);
+	*top = (uint32_t)(p - stack);
 	return (uint32_t)e;
 }
 
-V uint32_t step_leaf(const ald_accel *a, ald_query *q, struct walk *w, int any)
+V void count_step(const ald_accel *a, uint32_t ref, uint64_t *count)
 {
-	w->found |= (uint32_t)beam_leaf(a, q, &w->beam, w->ref, any);
-	return any && w->found ? DONE : pop(w, any);
-}
-
-V void count_step(const ald_accel *a, const struct walk *w, uint64_t *count)
-{
-	if (w->ref < REF_LEAF) {
+	count[ALD_COUNT_VOLUME_HITS]++;
+	if (ref < REF_LEAF) {
 		count[ALD_COUNT_NODES]++;
 		for (unsigned k = 0; k < WIDTH; k++)
-			count[ALD_COUNT_VOLUME_TESTS] += a->node[w->ref].child[k] != EMPTY;
-	} else if (w->ref >= REF_OTHERS) {
-		count[ALD_COUNT_PRIMS] += a->other[w->ref & REF_INDEX];
+			count[ALD_COUNT_VOLUME_TESTS] += a->node[ref].child[k] != EMPTY;
+	} else if (ref >= REF_OTHERS) {
+		count[ALD_COUNT_PRIMS] += a->other[ref & REF_INDEX];
 	} else {
-		const struct block *b = &a->block[w->ref & REF_INDEX];
+		const struct block *b = &a->block[ref & REF_INDEX];
 
-		for (uint32_t i = 0; i < SEATS * ((w->ref >> REF_SHIFT & 7) + 1); i++)
+		for (uint32_t i = 0; i < SEATS * ((ref >> REF_SHIFT & 7) + 1); i++)
 			count[ALD_COUNT_PRIMS] += b[i / SEATS].slack[i % SEATS] >= 0;
 	}
 }
 
-/* 1: there is something to be walked through; 0: all is known already. */
-V int begin(const ald_accel *a, ald_query *q, struct walk *w, const ald_ray *ray, ald_hit *hit, int any)
+/* 1: there is something to be walked through; 0: all is known already, and *found. */
+V int begin(const ald_accel *a, ald_query *q, struct beam *b, const ald_ray *ray, ald_hit *hit, int any,
+	    int *found)
 {
-	w->found = 0;
-	w->top = 0;
-	w->ref = a->root;
-	if (!beam_begin(a, &w->beam, ray, hit))
+	*found = 0;
+	if (a->root == EMPTY || !beam_begin(a, b, ray, hit))
 		return 0;
-	if (w->beam.axis[0] < 3)
+	if (b->axis[0] < 3)
 		return 1;
-	w->found = (uint32_t)beam_odd(a, q, &w->beam, any);
+	*found = beam_odd(a, q, b, any);
 	return 0;
 }
 
-/* Counting is a second copy, so that it costs nothing when it is off. */
-V int walk_one(const ald_accel *a, ald_query *q, struct walk *w, const ald_ray *ray, ald_hit *hit, int any,
-	       uint64_t *count)
+/* Returns if anything was hit only if any. Counting is a second copy, so that it costs nothing when it is off. */
+V int walk_one(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit, int any, uint64_t *count)
 {
+	struct beam b;
+	uint64_t stack[STACK_MAX];
+	uint32_t top = 0, ref = a->root;
+	int found;
+
 	if (count)
 		count[ALD_COUNT_VOLUME_TESTS]++;
-	if (!begin(a, q, w, ray, hit, any))
-		return (int)w->found;
-	while (w->ref != DONE) {
-		uint32_t found = w->found;
-
-		if (count) {
-			count[ALD_COUNT_VOLUME_HITS]++;
-			count_step(a, w, count);
-			w->found = 0;
+	if (!begin(a, q, &b, ray, hit, any, &found))
+		return found;
+	while (ref != DONE) {
+		if (count)
+			count_step(a, ref, count);
+		if (ref < REF_LEAF) {
+			ref = step_node(a, &b, ref, stack, &top, any);
+			continue;
 		}
-		w->ref = w->ref < REF_LEAF ? step_node(a, w, any) : step_leaf(a, q, w, any);
-		if (count) {
-			count[ALD_COUNT_VOLUME_USEFUL] += w->found;
-			w->found |= found;
-		}
+		found = beam_leaf(a, q, &b, ref, any);
+		if (count)
+			count[ALD_COUNT_VOLUME_USEFUL] += (uint64_t)found;
+		if (any && found)
+			return 1;
+		ref = pop(&b, stack, &top, any);
 	}
-	return (int)w->found;
+	if (!any)
+		beam_settle(a, &b);
+	return 0;
 }
 
 V void fetch(const ald_accel *a, uint32_t ref)
@@ -182,30 +177,87 @@ struct stream { /* the rays of a batch */
 	uint32_t n, next;
 };
 
+struct walk {
+	struct beam beam;
+	ald_hit own; /* where any hit will do */
+	uint32_t ref, top, index, late; /* late: of the end, when triangles are fetched to be asked about */
+	uint64_t stack[STACK_MAX];
+};
+
 /* The next ray that has a way to go; 0: there is none. */
-V int stream_next(const ald_accel *a, ald_query *q, struct stream *s, struct walk *w, ald_hit *own, int any)
+V int stream_next(const ald_accel *a, ald_query *q, struct stream *s, struct walk *w, int any)
 {
 	while (s->next < s->n) {
 		uint32_t i = s->next++;
+		int found;
 
 		if (any)
-			*own = (ald_hit){ .t = s->ray[i].tmax, .prim = ALD_NONE };
+			w->own = (ald_hit){ .t = s->ray[i].tmax, .prim = ALD_NONE };
 		w->index = i;
-		if (begin(a, q, w, &s->ray[i], any ? own : &s->hit[i], any))
+		w->top = w->late = 0;
+		w->ref = a->root;
+		if (begin(a, q, &w->beam, &s->ray[i], any ? &w->own : &s->hit[i], any, &found))
 			return 1;
 		if (any)
-			s->hidden[i] = (uint8_t)w->found;
+			s->hidden[i] = (uint8_t)found;
 	}
+	return 0;
+}
+
+/* A walk that has arrived waits two turns for the corners of the triangle that is probably hit. */
+V int still_late(const ald_accel *a, struct walk *w)
+{
+	const ald_prims *p = a->prims;
+	uint32_t id = w->beam.id[0];
+
+	if (!w->beam.pending || !a->far)
+		return 0;
+	for (uint32_t i = 1; i < w->beam.pending; i++)
+		id = w->beam.low[i] < w->beam.low[0] ? w->beam.id[i] : id;
+	if (!w->late++) {
+		__builtin_prefetch(&p->index[3 * (size_t)id]);
+		return 1;
+	}
+	if (w->late > 2)
+		return 0;
+	for (unsigned k = 0; k < 3; k++) {
+		size_t at = 3 * (size_t)p->index[3 * (size_t)id + k] * (p->vertex_double ? 8 : 4);
+
+		__builtin_prefetch((const char *)p->vertex + at);
+	}
+	return 1;
+}
+
+/* One step; 0: the walk has ended. */
+V int take_turn(const ald_accel *a, ald_query *q, struct stream *s, struct walk *w, int any)
+{
+	int found = 0;
+
+	if (w->ref < REF_LEAF) {
+		w->ref = step_node(a, &w->beam, w->ref, w->stack, &w->top, any);
+	} else if (w->ref != DONE) {
+		found = beam_leaf(a, q, &w->beam, w->ref, any);
+		w->ref = any && found ? DONE : pop(&w->beam, w->stack, &w->top, any);
+	}
+	if (w->ref != DONE) {
+		fetch(a, w->ref);
+		return 1;
+	}
+	if (any)
+		s->hidden[w->index] = (uint8_t)found;
+	else if (still_late(a, w))
+		return 1;
+	else
+		beam_settle(a, &w->beam);
 	return 0;
 }
 
 V void take_turns(const ald_accel *a, ald_query *q, struct stream *s, int any)
 {
 	struct walk walk[INTERLEAVE_MAX];
-	ald_hit own[INTERLEAVE_MAX];
 	uint32_t turn[INTERLEAVE_MAX], live = 0, most = a->interleave;
 
-	while (live < most && stream_next(a, q, s, &walk[live], &own[live], any)) {
+	while (live < most && stream_next(a, q, s, &walk[live], any)) {
 		turn[live] = live;
 		live++;
 	}
@@ -213,14 +265,7 @@ V void take_turns(const ald_accel *a, ald_query *q, struct stream *s, int any)
 		for (uint32_t i = 0; i < live; i++) {
 			struct walk *w = &walk[turn[i]];
 
-			w->ref = w->ref < REF_LEAF ? step_node(a, w, any) : step_leaf(a, q, w, any);
-			if (w->ref != DONE) {
-				fetch(a, w->ref);
-				continue;
-			}
-			if (any)
-				s->hidden[w->index] = (uint8_t)w->found;
-			if (!stream_next(a, q, s, w, &own[turn[i]], any))
+			if (!take_turn(a, q, s, w, any) && !stream_next(a, q, s, w, any))
 				turn[i--] = turn[--live];
 		}
 	}
@@ -230,23 +275,21 @@ static void nearest(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hi
 		    uint32_t hints)
 {
 	struct stream s = { ray, hit, NULL, n, 0 };
-	struct walk w;
 
 	if (!q->count && n > 1 && a->interleave > 1 && !(hints & ALD_COHERENT)) {
 		take_turns(a, q, &s, 0);
 		return;
 	}
 	for (uint32_t i = 0; i < n && !q->count; i++)
-		walk_one(a, q, &w, &ray[i], &hit[i], 0, NULL);
+		walk_one(a, q, &ray[i], &hit[i], 0, NULL);
 	for (uint32_t i = 0; i < n && q->count; i++)
-		walk_one(a, q, &w, &ray[i], &hit[i], 0, q->count);
+		walk_one(a, q, &ray[i], &hit[i], 0, q->count);
 }
 
 static void occluded(const ald_accel *a, ald_query *q, const ald_ray *ray, uint8_t *hidden, uint32_t n,
 		     uint32_t hints)
 {
 	struct stream s = { ray, NULL, hidden, n, 0 };
-	struct walk w;
 
 	if (!q->count && n > 1 && a->interleave > 1 && !(hints & ALD_COHERENT)) {
 		take_turns(a, q, &s, 1);
@@ -255,8 +298,8 @@ static void occluded(const ald_accel *a, ald_query *q, const ald_ray *ray, uint8
 	for (uint32_t i = 0; i < n; i++) {
 		ald_hit hit = { .t = ray[i].tmax, .prim = ALD_NONE };
 
-		hidden[i] = (uint8_t)(q->count ? walk_one(a, q, &w, &ray[i], &hit, 1, q->count) :
-						 walk_one(a, q, &w, &ray[i], &hit, 1, NULL));
+		hidden[i] = (uint8_t)(q->count ? walk_one(a, q, &ray[i], &hit, 1, q->count) :
+						 walk_one(a, q, &ray[i], &hit, 1, NULL));
 	}
 }
 

@@ -5,7 +5,7 @@
  * rounds, one after another, in one process; what is printed are medians of the rounds, of CPU time of the
  * one thread, and ratios of each round to the first accelerator's.
  *
- *	rays [-n ROUNDS] [-s WIDTH] [-m MESH,..] [-t THREADS] [ACCEL ..]
+ *	rays [-c] [-n ROUNDS] [-s WIDTH] [-m MESH,..] [-t THREADS] [ACCEL ..]	(-c: counters, too)
  *
  * Kinds: camera (32x32 tiles), shadow (one a hit, to a point), bounce (cosine, one a hit), shuffled (the same
  * in no order), ao (short, one a hit). An accelerator is as alidade -a has it, or, if Embree was found when
@@ -46,7 +46,7 @@ struct bench {
 	struct mesh mesh;
 	struct test_host host;
 	struct engine engine[ENGINES];
-	uint32_t engines, rounds, width, height, threads;
+	uint32_t engines, rounds, width, height, threads, counts;
 	ald_ray *ray[KINDS];
 	uint32_t n[KINDS];
 	ald_hit *hit;
@@ -414,6 +414,33 @@ static void report(struct bench *b, const char *mesh)
 	fflush(stdout);
 }
 
+/* What each ray cost in steps. */
+static void report_counts(struct bench *b, struct engine *e)
+{
+	uint64_t count[ALD_COUNT_MAX];
+
+	for (unsigned k = 0; k < KINDS && !e->peer; k++) {
+		bool any = k == SHADOW || k == AO;
+
+		memset(count, 0, sizeof(count));
+		e->q.count = count;
+		for (uint32_t i = 0; i < b->n[k]; i++)
+			b->hit[i] = (ald_hit){ .t = b->ray[k][i].tmax, .prim = ALD_NONE };
+		for (uint32_t at = 0; at < b->n[k]; at += BATCH) {
+			uint32_t n = b->n[k] - at < BATCH ? b->n[k] - at : BATCH;
+
+			if (any)
+				e->choice.plugin->occluded_n(e->it, &e->q, b->ray[k] + at, b->hidden, n, 0);
+			else
+				e->choice.plugin->intersect_n(e->it, &e->q, b->ray[k] + at, b->hit + at, n, 0);
+		}
+		e->q.count = NULL;
+		printf("  %s: %s: nodes %.2f, primitives %.2f, volumes %.2f a ray\n", e->name, kind_name[k],
+		       (double)count[ALD_COUNT_NODES] / b->n[k], (double)count[ALD_COUNT_PRIMS] / b->n[k],
+		       (double)count[ALD_COUNT_VOLUME_TESTS] / b->n[k]);
+	}
+}
+
 static int run(struct bench *b, const char *mesh, char **names, int count)
 {
 	ald_vec eye, at;
@@ -445,6 +472,8 @@ static int run(struct bench *b, const char *mesh, char **names, int count)
 		}
 	}
 	report(b, mesh);
+	for (uint32_t i = 0; i < b->engines && b->counts; i++)
+		report_counts(b, &b->engine[i]);
 	for (uint32_t i = 0; i < b->engines; i++)
 		close_engine(&b->engine[i]);
 	test_host_release(&b->host);
@@ -464,13 +493,15 @@ int main(int argc, char **argv)
 	b->rounds = 7;
 	b->width = 512;
 	b->threads = 1;
-	while ((c = getopt(argc, argv, "n:s:m:t:")) != -1) {
+	while ((c = getopt(argc, argv, "n:s:m:t:c")) != -1) {
 		if (c == 'n')
 			b->rounds = (uint32_t)atoi(optarg);
 		else if (c == 's')
 			b->width = (uint32_t)atoi(optarg) & ~127u;
 		else if (c == 'm')
 			meshes = optarg;
+		else if (c == 'c')
+			b->counts = 1;
 		else if (c == 't')
 			b->threads = (uint32_t)atoi(optarg);
 		else

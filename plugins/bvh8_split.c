@@ -1,0 +1,235 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Long thin triangles that lie across the axes have boxes full of nothing. They become several references,
+ * each with the box of a part of the triangle, before the tree is built (after Ernst and Greiner: Early Split
+ * Clipping for Bounding Volume Hierarchies, 2007; Karras and Aila: Fast Parallel Construction of High-Quality
+ * Bounding Volume Hierarchies, 2013).
+ *
+ * When to stop: a random ray that meets the scene's box, of area A, meets a box of area a with a chance of a/A.
+ * One more reference, of n, makes it pass about 1/n more of a step of the way down; so a cut pays if it takes
+ * more than GAIN A/n off the areas. Meshes of round triangles are left alone by this, beams become ten times as
+ * many references, and split=, the most that there may be, ends it.
+ *
+ * Triangles of hardly any width stay whole: where along a line the kernel finds them may be farther off than
+ * the boxes of their parts allow for.
+ */
+#include "bvh8.h"
+
+#define CHUNK 1024u /* references that one job looks at */
+#define LEVELS 8u /* of cuts of one triangle */
+#define GAIN 4.0
+#define THIN 0x1p-12 /* width to length */
+
+struct part {
+	double v[12][3];
+	uint32_t n;
+};
+
+struct chopper {
+	struct builder *b;
+	double least; /* gain of a cut */
+	uint32_t *count; /* references of each chunk; then, where its first goes */
+	struct ref *out; /* NULL: count */
+};
+
+static void part_box(const struct part *p, double lo[3], double hi[3])
+{
+	for (unsigned k = 0; k < 3; k++) {
+		lo[k] = hi[k] = p->v[0][k];
+		for (uint32_t i = 1; i < p->n; i++) {
+			lo[k] = ald_min(p->v[i][k], lo[k]);
+			hi[k] = ald_max(p->v[i][k], hi[k]);
+		}
+	}
+}
+
+static double area(const double lo[3], const double hi[3])
+{
+	double x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
+
+	return x * y + y * z + z * x;
+}
+
+/* Sutherland and Hodgman, both sides at once; what lies in the plane belongs to both. */
+static void cut(const struct part *p, unsigned axis, double plane, struct part side[2])
+{
+	side[0].n = side[1].n = 0;
+	for (uint32_t i = 0; i < p->n; i++) {
+		const double *a = p->v[i], *b = p->v[i + 1 < p->n ? i + 1 : 0];
+
+		for (unsigned s = 0; s < 2; s++) {
+			if (s ? a[axis] >= plane : a[axis] <= plane)
+				memcpy(side[s].v[side[s].n++], a, sizeof(p->v[0]));
+		}
+		if ((a[axis] < plane) != (b[axis] < plane) && a[axis] != plane && b[axis] != plane) {
+			double f = (plane - a[axis]) / (b[axis] - a[axis]), c[3];
+
+			for (unsigned k = 0; k < 3; k++)
+				c[k] = k == axis ? plane : a[k] + f * (b[k] - a[k]);
+			for (unsigned s = 0; s < 2; s++)
+				memcpy(side[s].v[side[s].n++], c, sizeof(c));
+		}
+	}
+}
+
+/* The plane of a grid of powers of two next to the middle, so that neighbours are cut in one plane. */
+static double plane_of(double lo, double hi)
+{
+	double mid = lo + (hi - lo) / 2, g;
+	int power;
+
+	frexp((hi - lo) / 2, &power);
+	g = ldexp(1, power - 1);
+	return nearbyint(mid / g) * g;
+}
+
+static uint32_t emit(const double lo[3], const double hi[3], uint32_t id, struct ref *out)
+{
+	if (out) {
+		for (unsigned k = 0; k < 3; k++) {
+			out->lo[k] = ald_float_down(lo[k]);
+			out->hi[k] = ald_float_up(hi[k]);
+		}
+		out->id = id;
+		out->zero = 0;
+	}
+	return 1;
+}
+
+/* Returns how many references the part makes. */
+static uint32_t chop(const struct chopper *c, const struct part *p, unsigned level, uint32_t id,
+		     struct ref *out)
+{
+	double lo[3], hi[3], l[2][3], h[2][3], whole;
+	struct part side[2];
+	unsigned axis = 0;
+	uint32_t n;
+
+	part_box(p, lo, hi);
+	whole = area(lo, hi);
+	for (unsigned k = 1; k < 3; k++)
+		axis = hi[k] - lo[k] > hi[axis] - lo[axis] ? k : axis;
+	if (level == LEVELS || !(whole > 2 * c->least))
+		return emit(lo, hi, id, out);
+	cut(p, axis, plane_of(lo[axis], hi[axis]), side);
+	if (side[0].n < 3 || side[1].n < 3)
+		return emit(lo, hi, id, out);
+	part_box(&side[0], l[0], h[0]);
+	part_box(&side[1], l[1], h[1]);
+	if (!(whole - area(l[0], h[0]) - area(l[1], h[1]) > c->least))
+		return emit(lo, hi, id, out);
+	n = chop(c, &side[0], level + 1, id, out);
+	return n + chop(c, &side[1], level + 1, id, out ? out + n : NULL);
+}
+
+static double ref_area(const struct ref *r)
+{
+	double lo[3], hi[3];
+
+	for (unsigned k = 0; k < 3; k++) {
+		lo[k] = (double)r->lo[k];
+		hi[k] = (double)r->hi[k];
+	}
+	return area(lo, hi);
+}
+
+static int is_thin(const struct part *p)
+{
+	double e[3], g[3], n2 = 0, size = 0;
+
+	for (unsigned k = 0; k < 3; k++) {
+		e[k] = p->v[1][k] - p->v[0][k];
+		g[k] = p->v[2][k] - p->v[0][k];
+		size += e[k] * e[k] + g[k] * g[k];
+	}
+	for (unsigned k = 0; k < 3; k++) {
+		double n = e[(k + 1) % 3] * g[(k + 2) % 3] - e[(k + 2) % 3] * g[(k + 1) % 3];
+
+		n2 += n * n;
+	}
+	return !(n2 > THIN * THIN * size * size);
+}
+
+static uint32_t chop_ref(const struct chopper *c, const struct ref *r, struct ref *out)
+{
+	const ald_prims *p = c->b->prims;
+	const ald_accel *a = c->b->a;
+	struct part whole = { .n = 3 };
+	ald_vec v[3];
+
+	if (r->id < p->tri_count && ref_area(r) > 2 * c->least) {
+		ald_corners(p, r->id, p->origin ? ald_group_of(p, r->id) : 0, v);
+		for (unsigned i = 0; i < 3; i++) {
+			for (unsigned k = 0; k < 3; k++)
+				whole.v[i][k] = (ald_get(&v[i], k) - a->centre[k]) * a->scale;
+		}
+		if (!is_thin(&whole))
+			return chop(c, &whole, 0, r->id, out);
+	}
+	if (out)
+		*out = *r;
+	return 1;
+}
+
+static void chop_job(void *arg, uint32_t job)
+{
+	const struct chopper *c = arg;
+	uint32_t end = c->b->refs - job * CHUNK < CHUNK ? c->b->refs : (job + 1) * CHUNK, n = 0;
+
+	for (uint32_t i = job * CHUNK; i < end; i++)
+		n += chop_ref(c, &c->b->ref[i], c->out ? c->out + c->count[job] + n : NULL);
+	if (!c->out)
+		c->count[job] = n;
+}
+
+/* How many references there would be. */
+static uint64_t count_refs(struct chopper *c, uint32_t jobs)
+{
+	const ald_host *h = c->b->host;
+	uint64_t n = 0;
+
+	h->parallel(h->ctx, jobs, chop_job, c);
+	for (uint32_t i = 0; i < jobs; i++)
+		n += c->count[i];
+	return n;
+}
+
+int bvh8_split(struct builder *b)
+{
+	const ald_host *h = b->host;
+	struct chopper c = { .b = b };
+	uint32_t jobs = (b->refs + CHUNK - 1) / CHUNK, at = 0;
+	double lo[3], hi[3], most = b->value[P_SPLIT] * b->refs;
+	uint64_t n;
+
+	if (b->value[P_SPLIT] <= 1 || !b->refs || most > 1e9)
+		return ALD_OK;
+	c.count = bvh8_take(h, jobs, sizeof(*c.count), "bvh8: building");
+	if (!c.count)
+		return ALD_NO_MEMORY;
+	for (unsigned k = 0; k < 3; k++) {
+		lo[k] = 0;
+		hi[k] = (ald_get(&b->a->box.hi, k) - ald_get(&b->a->box.lo, k)) * b->a->scale;
+	}
+	c.least = ald_max(GAIN * area(lo, hi) / b->refs, 0x1p-40);
+	while ((double)(n = count_refs(&c, jobs)) > most)
+		c.least *= 1.5;
+	if (n > b->refs) {
+		c.out = bvh8_take(h, n, sizeof(*c.out), "bvh8: building");
+		for (uint32_t i = 0; c.out && i < jobs; i++) {
+			uint32_t m = c.count[i];
+
+			c.count[i] = at;
+			at += m;
+		}
+		if (c.out) {
+			h->parallel(h->ctx, jobs, chop_job, &c);
+			h->free(h->ctx, b->ref);
+			b->ref = c.out;
+			b->refs = (uint32_t)n;
+		}
+	}
+	h->free(h->ctx, c.count);
+	return n > b->refs ? ALD_NO_MEMORY : ALD_OK;
+}

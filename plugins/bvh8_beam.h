@@ -17,7 +17,6 @@
 #include "bvh8.h"
 #include "bvh8_vec.h"
 
-#define INTERLEAVE_MAX 16u
 #define PENDING 8u
 #define DEPTH_ERROR (4 * EDGE_ERROR) /* of a distance along the main axis */
 

@@ -42,7 +42,13 @@ struct scan {
 	struct chunk *chunk;
 };
 
-/* 0: it can't be hit. Triangles: the box that holds them tightly, which the rays' errors take care of. */
+static int same(const ald_vec *a, const ald_vec *b)
+{
+	return a->x == b->x && a->y == b->y && a->z == b->z;
+}
+
+/* 0: it can't be hit: some number is none, or two corners are one, and no line meets that. Triangles:
+ * the box that holds them tightly, which the rays' errors take care of. */
 static int box_of(const ald_prims *p, uint32_t id, ald_box *box)
 {
 	ald_vec v[3];
@@ -60,7 +66,7 @@ static int box_of(const ald_prims *p, uint32_t id, ald_box *box)
 		ald_box_join(box, &point);
 		sum += (v[k].x - v[k].x) + (v[k].y - v[k].y) + (v[k].z - v[k].z);
 	}
-	return sum == 0;
+	return sum == 0 && !same(&v[0], &v[1]) && !same(&v[1], &v[2]) && !same(&v[2], &v[0]);
 }
 
 static void scan_job(void *arg, uint32_t job)

@@ -276,7 +276,7 @@ static void nearest(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hi
 {
 	struct stream s = { ray, hit, NULL, n, 0 };
 
-	if (!q->count && n > 1 && a->interleave > 1 && !(hints & ALD_COHERENT)) {
+	if (!q->count && n > 1 && a->interleave > 1 && (a->far || !(hints & ALD_COHERENT))) {
 		take_turns(a, q, &s, 0);
 		return;
 	}
@@ -291,7 +291,7 @@ static void occluded(const ald_accel *a, ald_query *q, const ald_ray *ray, uint8
 {
 	struct stream s = { ray, NULL, hidden, n, 0 };
 
-	if (!q->count && n > 1 && a->interleave > 1 && !(hints & ALD_COHERENT)) {
+	if (!q->count && n > 1 && a->interleave > 1 && (a->far || !(hints & ALD_COHERENT))) {
 		take_turns(a, q, &s, 1);
 		return;
 	}

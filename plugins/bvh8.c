@@ -76,6 +76,7 @@ static int bvh8_build(const ald_host *host, const ald_prims *prims, const double
 			    .prims = prims,
 			    .isa = isa,
 			    .interleave = (uint32_t)value[P_INTERLEAVE],
+			    .fast = prims->precision == ALD_PRECISION_FAST,
 			    .bytes = sizeof(*b.a) };
 	status = host->progress(host->ctx, 0) ? ALD_CANCELLED : bvh8_refs(&b);
 	if (!status)
@@ -215,7 +216,7 @@ const ald_accel_plugin ald_accel_entry = {
 	.license = "Apache-2.0",
 	.summary = "tree of boxes, eight to a node",
 	.params = params,
-	.precisions = ALD_PRECISION_DEFAULT | ALD_PRECISION_EXACT,
+	.precisions = ALD_PRECISION_DEFAULT | ALD_PRECISION_EXACT | ALD_PRECISION_FAST,
 	.build = bvh8_build,
 	.intersect = bvh8_intersect,
 	.destroy = bvh8_destroy,

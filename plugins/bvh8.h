@@ -18,6 +18,9 @@
  * 5 * 2^-23. Where the line meets the triangle, no sheared coordinate is more than twice its extent x. Then a
  * weight, c d - e f, is off by at most 8 x h + 2 h h + 3 * 2^-24 * 8 x x < 2^-20 (12 x + 4 * 2^-20). Nothing
  * is lost by using this where the line misses.
+ *
+ * With --precision=fast all bounds are 0 and nothing is asked of the doubles: what being right costs is the
+ * difference.
  */
 #ifndef BVH8_H
 #define BVH8_H
@@ -66,6 +69,7 @@ struct ald_accel {
 	uint32_t root; /* a reference */
 	uint32_t nodes, blocks, others, leaves, depth, interleave;
 	int far; /* the mesh is larger than a cache */
+	int fast; /* ALD_PRECISION_FAST: no bounds, and floats have the last word */
 	double centre[3], scale; /* to X */
 	ald_box box; /* around the primitives, grown (R4) */
 	ald_frame frame;

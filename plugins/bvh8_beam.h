@@ -77,7 +77,8 @@ V void beam_limit(struct beam *b)
 V void beam_axes(struct beam *b, const ald_accel *a, double unit, double back)
 {
 	const ald_prep *p = &b->prep;
-	float pad = (float)((4 * p->pad + 2 * a->prims->pad) * a->scale), error = BOX_ERROR + pad, o[3];
+	float pad = (float)((4 * p->pad + 2 * a->prims->pad) * a->scale), error = a->fast ? 0 : BOX_ERROR + pad;
+	float o[3];
 
 	for (unsigned k = 0; k < 3; k++) {
 		float i = (float)(p->inv[k] * back);
@@ -105,6 +106,8 @@ V void beam_axes(struct beam *b, const ald_accel *a, double unit, double back)
 	b->grow = b->zerror * b->zerror;
 	b->zerror *= DEPTH_ERROR;
 	b->reach = 1 / (6 * EDGE_ERROR) / b->grow;
+	if (a->fast)
+		b->grow = b->zerror = 0;
 }
 
 /* 0: the ray misses everything. A ray that misses all triangles by its numbers alone has axis[0] > 2. */
@@ -302,6 +305,43 @@ V int beam_blocks(const ald_accel *a, struct beam *b, uint32_t ref, int any)
 	return found;
 }
 
+/* For --precision=fast: what the floats say. With their bounds at 0, a lane that may be hit is. */
+V int beam_blocks_fast(const ald_accel *a, struct beam *b, uint32_t ref, int any)
+{
+	const struct block *n = &a->block[ref & REF_INDEX];
+	const struct block *end = n + (ref >> REF_SHIFT & 7) + 1;
+	float z[SEATS] __attribute__((aligned(16))), w[3][SEATS] __attribute__((aligned(16)));
+	int found = 0;
+
+	for (; n < end; n++) {
+		struct meeting m;
+
+		beam_block(b, n, &m);
+		if (!m.maybe)
+			continue;
+		f4_store(z, f4_mul_add(m.a, m.az, f4_mul_add(m.b, m.bz, f4_mul(m.c, m.cz))));
+		f4_store(w[0], m.b);
+		f4_store(w[1], m.c);
+		f4_store(w[2], f4_add(f4_add(m.a, m.b), m.c));
+		for (; m.maybe; m.maybe &= m.maybe - 1) {
+			unsigned k = (unsigned)__builtin_ctz(m.maybe);
+			double t = b->shift + (double)(z[k] / w[2][k] * b->back) / b->tscale;
+			ald_hit *h = b->hit;
+
+			if (n->id[k] == ALD_NONE || !(fabsf(w[2][k]) > FLT_MIN) ||
+			    !ald_counts(b->ray, t, n->id[k], h) || !ald_sees(a->prims, b->ray, n->id[k]))
+				continue;
+			if (any)
+				return 1;
+			*h = (ald_hit){ .t = t, .u = (double)(w[0][k] / w[2][k]), .v = (double)(w[1][k] / w[2][k]),
+					.prim = n->id[k] };
+			beam_limit(b);
+			found = 1;
+		}
+	}
+	return found;
+}
+
 V int beam_others(const ald_accel *a, ald_query *q, struct beam *b, uint32_t ref, int any)
 {
 	const uint32_t *list = &a->other[ref & REF_INDEX];
@@ -321,7 +361,9 @@ V int beam_others(const ald_accel *a, ald_query *q, struct beam *b, uint32_t ref
 
 V int beam_leaf(const ald_accel *a, ald_query *q, struct beam *b, uint32_t ref, int any)
 {
-	return ref >= REF_OTHERS ? beam_others(a, q, b, ref, any) : beam_blocks(a, b, ref, any);
+	if (ref >= REF_OTHERS)
+		return beam_others(a, q, b, ref, any);
+	return a->fast ? beam_blocks_fast(a, b, ref, any) : beam_blocks(a, b, ref, any);
 }
 
 /* A ray whose numbers no triangle stands. */

@@ -96,7 +96,7 @@ static const struct option_spec alidade_option[] = {
 	  "leave out frames whose picture is there: go on with an animation that was stopped", NULL },
 
 	{ "accel", 'a', OPTION_ARG, "NAME", COMPLETE_ACCEL, NULL,
-	  "the acceleration structure, with its parameters: NAME:key=value,..; octree is the default",
+	  "the acceleration structure, with its parameters: NAME:key=value,..; bvh8 is the default",
 	  "Speed" },
 	{ "list-accels", KEY_LIST_ACCELS, OPTION_ALONE, NULL, COMPLETE_NOTHING, NULL,
 	  "list the accelerators that are installed, with their parameters, and exit", NULL },
@@ -162,7 +162,7 @@ void settings_init(struct settings *s, struct mem_book *book)
 {
 	memset(s, 0, sizeof(*s));
 	arena_init(&s->arena, book, "settings");
-	s->accel = "octree";
+	s->accel = "bvh8";
 	s->precision = ALD_PRECISION_DEFAULT;
 	s->render.aa_gamma = 2.5;
 	s->render.indirect = INDIRECT_EXACT;

@@ -81,7 +81,7 @@ def main():
     options = argparse.ArgumentParser(description='what exact answers cost and floats save')
     options.add_argument('--runs', type=int, default=11, help='turns (11)')
     options.add_argument('--size', default='320x240', help='of the pictures (320x240)')
-    options.add_argument('--accel', default='octree', help='accelerator (octree)')
+    options.add_argument('--accel', default='bvh8', help='accelerator (bvh8)')
     options.add_argument('scene', nargs='*', help='names of our scenes, or files')
     options = options.parse_args()
     print('%s, accelerator %s, one thread, %d turns: processor seconds without reading and building, then ratios' % (

@@ -509,7 +509,10 @@ static bool named(const char *name, uint32_t *out)
 
 int main(int argc, char **argv)
 {
-	static const char *const usual[] = { "octree", "box", "sphere", "none", "bvh8", NULL };
+	/* In floats bvh8 has coordinates of its own, and answers otherwise than the others. */
+	static const char *const all[] = { "octree", "box", "sphere", "none", "bvh8", NULL };
+	static const char *const alike[] = { "octree", "box", "sphere", "none", NULL };
+	const char *const *usual;
 	const char *accel[TRIAL_ACCELS + 1] = { NULL };
 	unsigned accels = 0;
 	unsigned processes = pool_cores();
@@ -532,6 +535,7 @@ int main(int argc, char **argv)
 	}
 	if (optind < argc)
 		want = argv[optind];
+	usual = precision == ALD_PRECISION_FAST ? alike : all;
 	if (!trial_tools_init(&tools, accels ? accel : usual, precision))
 		return 1;
 	printf("# seed %llu, %u rays a cell, precision %s\n", (unsigned long long)first_seed, rays,

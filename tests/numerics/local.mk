@@ -1,6 +1,6 @@
 NUMERICS_TESTS = tests/numerics/bits.sh tests/numerics/kernel-bits.sh tests/numerics/judge.sh \
-	tests/numerics/judge-exact.sh tests/numerics/judge-fast.sh tests/numerics/pictures.sh \
-	tests/numerics/shapes.sh
+	tests/numerics/judge-exact.sh tests/numerics/judge-fast.sh tests/numerics/judge-fast-bvh8.sh \
+	tests/numerics/pictures.sh tests/numerics/shapes.sh
 TESTS += $(NUMERICS_TESTS)
 EXTRA_DIST += $(NUMERICS_TESTS) tests/numerics/pictures.py tests/numerics/kernel_bits.c \
 	tests/numerics/kinds.pov tests/numerics/upset.c

@@ -117,7 +117,7 @@ is "no accelerator is to blame" "$(of edge.json 'v["different"]')" 0
 ok "some hits are not the ones that are really first" test "$(of edge.json 'v["nearest"]["inexact"]')" -ge 5
 is "the first are listed" "$(of edge.json 'len(v["first_inexact"])')" 5
 "$ALIDADE" -v -s 80x60 --camera-only --verify 1 -o edge.ppm scene.pov 2>err
-ok "and with -v told" grep -q 'pixel [0-9]*,[0-9]*: camera ray, the nearest hit: octree found primitive ., .*in exact order it is primitive' err
+ok "and with -v told" grep -q 'pixel [0-9]*,[0-9]*: camera ray, the nearest hit: bvh8 found primitive ., .*in exact order it is primitive' err
 status "--precision=exact" 0 --camera-only --precision=exact --verify 1 -o edge.ppm --stats=edge.json
 is "finds these" "$(of edge.json 'v["different"] + v["inexact"]')" 0
 status "not a number" 2 --verify 0 -o x.ppm

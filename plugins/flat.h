@@ -19,7 +19,7 @@
 #define PACK 64u /* rays */
 #define BLOCKS 32u /* of ALD_LANES triangles: 18 KiB */
 
-#if defined __x86_64__ && defined __GNUC__ && !defined __SANITIZE_ADDRESS__
+#if defined __x86_64__ && defined __GNUC__ && !defined __AVX2__ && !defined __SANITIZE_ADDRESS__
 #define WIDE __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
 #else
 #define WIDE

@@ -5,6 +5,7 @@
  * floats relative to the level's origin (prim/mesh.c); one mesh that is not makes all of the level's doubles.
  */
 #include "accel/geometry.h"
+#include "base/single.h"
 
 /* What floats would do to the triangles of a group. */
 static void look_at_group(const struct prim_level *l, uint32_t g, struct mesh_vertices *m)
@@ -19,7 +20,7 @@ static void look_at_group(const struct prim_level *l, uint32_t g, struct mesh_ve
 		for (unsigned k = 0; k < 3; k++) {
 			ald_box_join(&box, &(ald_box){ v[k], v[k] });
 			for (unsigned axis = 0; axis < 3; axis++) {
-				double x = ald_get(&v[k], axis), off = fabs((double)(float)x - x) / l->scale;
+				double x = ald_get(&v[k], axis), off = fabs(as_single(x) - x) / l->scale;
 
 				m->loss = fmax(m->loss, off);
 			}

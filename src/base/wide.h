@@ -9,7 +9,7 @@
 #ifndef ALIDADE_BASE_WIDE_H
 #define ALIDADE_BASE_WIDE_H
 
-#if defined __x86_64__ && defined __GNUC__ && !defined __SANITIZE_ADDRESS__
+#if defined __x86_64__ && defined __GNUC__ && !defined __AVX2__ && !defined __SANITIZE_ADDRESS__
 #define WIDE __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
 #else
 #define WIDE

@@ -10,6 +10,7 @@
 
 #include <math.h>
 
+#include "base/single.h"
 #include "pattern/pattern.h"
 
 #define FEW 128u
@@ -26,7 +27,7 @@ static void evaluate(struct machine *, const struct function *, double *reg, dou
 /* POV-Ray's colours are single precision. */
 static double single(double v)
 {
-	return (double)(float)v;
+	return as_single(v);
 }
 
 static double member(const double *v, uint32_t m)

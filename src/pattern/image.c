@@ -9,6 +9,7 @@
 
 #include "pattern/image.h"
 
+#include "base/single.h"
 #include "pattern/family.h"
 #include "pattern/footprint.h"
 
@@ -476,7 +477,7 @@ uint32_t image_material(const struct picture_place *m, vec p)
 		return 0;
 	t = look(m, s);
 	/* Rounded to single precision as POV-Ray's colours are: it decides which whole number is below. */
-	v = t.index >= 0 ? t.index : (double)(float)t.c.r * 255;
+	v = t.index >= 0 ? t.index : as_single(t.c.r) * 255;
 	return v >= 1 ? v < UINT32_MAX ? (uint32_t)v : UINT32_MAX : 0;
 }
 

@@ -4,6 +4,7 @@
  * Warps: where a point goes before the pattern is asked (manual 3.4.7.7).
  */
 #include "pattern/noise.h"
+#include "base/single.h"
 #include "pattern/pattern.h"
 
 #define PI 3.14159265358979323846
@@ -19,7 +20,7 @@ static vec warp_repeat(const struct warp *w, vec p)
 {
 	unsigned k = w->w.repeat.axis;
 	double x = *component(&p, k), width = w->w.repeat.width;
-	double block = (double)(float)floor(x / width);
+	double block = as_single(floor(x / width));
 	vec q = p;
 
 	*component(&q, k) = x - block * width;

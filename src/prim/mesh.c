@@ -5,6 +5,7 @@
  * coordinate is one already.
  */
 #include "prim/compile.h"
+#include "base/single.h"
 
 #include <string.h>
 
@@ -167,7 +168,7 @@ void prim_narrow_vertices(struct prim_level *l)
 
 	l->vertex_double = true;
 	for (size_t i = 0; i < n; i++) {
-		if ((double)(float)wide[i] != wide[i])
+		if (as_single(wide[i]) != wide[i])
 			return;
 	}
 	/* In place: the i-th float ends before the i-th double. */

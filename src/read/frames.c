@@ -11,6 +11,7 @@
 #include <config.h>
 
 #include "read/frames.h"
+#include "base/single.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -59,7 +60,7 @@ bool frames_parse(const char *at, struct frame_span *span, uint32_t *count)
 /* A subset's bound: 0, or 1 and more, is a frame's number, what lies between is a share. */
 static double bound(double given, uint32_t initial, uint32_t final)
 {
-	double v = given > 0 ? (double)(float)given : 0;
+	double v = given > 0 ? as_single(given) : 0;
 
 	return v > 0 && v < 1 ? floor(((double)final - initial + 1) * v) : floor(fmin(v, FRAME_MAX));
 }
@@ -114,7 +115,7 @@ void frames_plan(struct frame_plan *p, const struct frame_settings *s, const str
 	memset(p, 0, sizeof(*p));
 	p->animated = range || count;
 	p->clock_fixed = s->set & FRAMES_CLOCK;
-	p->clock = p->clock_fixed ? (double)(float)s->clock : 0;
+	p->clock = p->clock_fixed ? as_single(s->clock) : 0;
 	if (!p->animated) {
 		p->span[0] = (struct frame_span){ 0, 0, 1 };
 		p->span_count = 1;
@@ -124,8 +125,8 @@ void frames_plan(struct frame_plan *p, const struct frame_settings *s, const str
 		plan_range(p, s);
 	else
 		guess_range(p, list, count);
-	p->initial_clock = s->set & FRAMES_INITIAL_CLOCK ? (double)(float)s->initial_clock : 0;
-	p->final_clock = s->set & FRAMES_FINAL_CLOCK ? (double)(float)s->final_clock : 1;
+	p->initial_clock = s->set & FRAMES_INITIAL_CLOCK ? as_single(s->initial_clock) : 0;
+	p->final_clock = s->set & FRAMES_FINAL_CLOCK ? as_single(s->final_clock) : 1;
 	if (p->final > p->initial)
 		p->clock_delta = (p->final_clock - p->initial_clock) / ((double)p->final - p->initial);
 	if (count) {
@@ -180,10 +181,10 @@ void frames_now(const struct frame_plan *p, uint32_t frame, struct frame_now *n)
 	n->initial = p->initial;
 	n->final = p->final;
 	if (!p->clock_fixed)
-		n->clock = (double)(float)(p->clock_delta * ((double)frame - p->initial) + p->initial_clock);
+		n->clock = as_single(p->clock_delta * ((double)frame - p->initial) + p->initial_clock);
 	n->initial_clock = declared(p->initial_clock);
 	n->final_clock = declared(p->final_clock);
-	n->clock_delta = declared((double)(float)p->clock_delta);
+	n->clock_delta = declared(as_single(p->clock_delta));
 }
 
 static const char *last_place(const char *name, size_t *length)

@@ -7,6 +7,7 @@
 #include <config.h>
 
 #include "read/pov/internal.h"
+#include "base/single.h"
 
 #include <math.h>
 
@@ -134,7 +135,7 @@ static double srgb_decode(struct pov *p, double value)
 		linear = (float)pow((double)((v + 0.055f) / 1.055f), (double)2.4f);
 	if (g == 1)
 		return (double)linear;
-	return linear > 0 ? (double)(float)pow((double)linear, (double)(1.0f / (float)g)) : 0;
+	return linear > 0 ? as_single(pow((double)linear, (double)(1.0f / (float)g))) : 0;
 }
 
 /* rgbft and its like: the current token is the word; terms: how many components it takes. */
@@ -150,7 +151,7 @@ static void colour_word(struct pov *p, double c[5], uint32_t terms, bool srgb, b
 	pov_next(p);
 	expr_full(p, &v, terms);
 	for (uint32_t i = 0; i < v.count; i++)
-		c[i] = (double)(float)v.c[i];
+		c[i] = as_single(v.c[i]);
 	for (uint32_t i = 0; srgb && i < 3; i++)
 		c[i] = srgb_decode(p, c[i]);
 	if (transmit_only) {
@@ -166,7 +167,7 @@ static void colour_value(struct pov *p, double c[5])
 
 	expr_full(p, &v, 5);
 	for (uint32_t i = 0; i < v.count; i++)
-		c[i] = (double)(float)v.c[i];
+		c[i] = as_single(v.c[i]);
 }
 
 static uint32_t colour_component(enum pov_token_kind kind)
@@ -195,7 +196,7 @@ struct rgbft pov_colour(struct pov *p)
 		i = colour_component(kind);
 		if (i < 5) {
 			pov_next(p);
-			c[i] = (double)(float)expr_float(p);
+			c[i] = as_single(expr_float(p));
 			started = true;
 			continue;
 		}

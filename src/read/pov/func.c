@@ -11,6 +11,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/single.h"
 #include "pattern/noise.h"
 #include "read/pov/number.h"
 
@@ -395,7 +396,7 @@ static vec vturbulence(struct pov *p)
 	a = vector(p);
 	close_paren(p);
 	octaves = octaves > 1 ? octaves < 10 ? octaves : 10 : 1;
-	return noise_vector_turbulence(a, (uint32_t)octaves, (double)(float)lambda, (double)(float)omega);
+	return noise_vector_turbulence(a, (uint32_t)octaves, as_single(lambda), as_single(omega));
 }
 
 void func_vector(struct pov *p, struct pov_value *v, uint32_t terms)

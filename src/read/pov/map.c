@@ -9,6 +9,7 @@
 #include "read/pov/pattern.h"
 
 #include "base/buf.h"
+#include "base/single.h"
 #include "pattern/pattern.h"
 
 #define ENTRIES_MAX 100000
@@ -22,7 +23,7 @@ struct map_draft {
 
 static bool push(struct pov *p, struct map_draft *d, struct map_entry e)
 {
-	e.at = (double)(float)e.at; /* as POV-Ray keeps them: hard edges lie there */
+	e.at = as_single(e.at); /* as POV-Ray keeps them: hard edges lie there */
 	if (d->entry.count >= ENTRIES_MAX) {
 		pov_fail(p, "a map has more than %d entries", ENTRIES_MAX);
 		return false;

@@ -7,6 +7,7 @@
 #include <config.h>
 
 #include "read/pov/pattern.h"
+#include "base/single.h"
 
 static bool transform_word(struct pov *p, struct pattern_draft *d)
 {
@@ -75,11 +76,11 @@ static bool wave_word(struct pov *p, struct pattern *q)
 		return true;
 	case TOK_FREQUENCY:
 		pov_next(p);
-		q->frequency = (double)(float)pov_finite_float(p, "frequency"); /* as POV-Ray keeps it */
+		q->frequency = as_single(pov_finite_float(p, "frequency")); /* as POV-Ray keeps it */
 		return true;
 	case TOK_PHASE:
 		pov_next(p);
-		q->phase = (double)(float)pov_finite_float(p, "phase");
+		q->phase = as_single(pov_finite_float(p, "phase"));
 		return true;
 	default:
 		return false;

@@ -6,13 +6,14 @@
 #ifndef ALIDADE_READ_POV_PATTERN_H
 #define ALIDADE_READ_POV_PATTERN_H
 
+#include "base/single.h"
 #include "read/pov/items.h"
 
 /* Measured: POV-Ray takes a little off the mortar and keeps it in single precision, so that it is a little
  * more than 0.3 but just 0.5. */
 static inline double pattern_mortar(double given)
 {
-	return (double)(float)(given - 2e-10);
+	return as_single(given - 2e-10);
 }
 
 enum pattern_use { IN_PIGMENT = 1, IN_NORMAL = 2, IN_TEXTURE = 4, IN_DENSITY = 8 };

@@ -7,6 +7,7 @@
 #include <config.h>
 
 #include "read/pov/function.h"
+#include "base/single.h"
 #include "read/pov/internal.h"
 
 /* Reads the { } of an array's one dimension; at: index of the first element. */
@@ -102,7 +103,7 @@ static bool read_number(struct pov *p, struct slot *out, bool colour)
 		out->u.number = pov_value(p);
 		/* POV-Ray keeps colours in float. */
 		for (uint32_t i = 0; out->u.number.count == 5 && i < 5; i++)
-			out->u.number.c[i] = (double)(float)out->u.number.c[i];
+			out->u.number.c[i] = as_single(out->u.number.c[i]);
 	}
 	return !p->failed;
 }

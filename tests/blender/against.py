@@ -32,7 +32,8 @@ are black in the rest of that pixel's tree of mirrored and refracted rays. Impor
 the scene without. Ours has it. Where a mirror's exponent makes no numbers of negative light, POV-Ray's cache spreads
 these over its picture: such a file is compared without exponents. And POV-Ray's rays go on without end between
 surfaces of ior 1, which it does not count: where it takes minutes for a picture of a second, both programs get an ior
-of 1.000001, as which such surfaces count.
+of 1.000001, as which such surfaces count. Where light that bounces often takes POV-Ray more than five minutes a
+picture, as in hair, both draw one bounce.
 """
 import math
 import os
@@ -73,8 +74,10 @@ IMPORTANCE = re.compile(r'\bradiosity\s*\{\s*importance\s+%s\s*\}' % NUMBER)
 EXPONENT = re.compile(r'\bexponent\s+%s' % NUMBER)
 IOR_ONE = re.compile(r'\bior\s+1(?:\.0*)?(?![.\d])')
 PATIENCE = 300 # s
+BOUNCES = re.compile(r'\brecursion_limit\s+(\d+)')
 MOST_VOID = 0.03 # of a picture of POV-Ray's may be no numbers
 RANDOM = re.compile(r'\b(?:jitter|aperture|crand)\b')
+SLOW = 'one bounce only, as POV-Ray takes too long for more'
 ENDLESS = 'with ior 1.000001 for 1, where POV-Ray\'s rays have no end'
 EXPONENTS = 'without mirrors\' exponents, which make no numbers of much of POV-Ray\'s picture'
 
@@ -180,10 +183,14 @@ def high(text, count, settings):
     return text.replace(block, better)
 
 
+def once(text):
+    return BOUNCES.search(text).group(1) == '1'
+
+
 def best(text, base, size, count, settings, factor=1):
     return renderers.povray(written(os.path.join(base, 'high.pov'), high(text, count, settings)),
                             os.path.join(base, 'high-%s-%d-%d.exr' % (count, size[0], factor)), size,
-                            factor=factor)
+                            factor=factor, limit=1800 if once(text) else PATIENCE)
 
 
 class Ours:
@@ -219,8 +226,19 @@ def converged(text, base, theirs):
 
 
 def indirect(outcome, text, base, check=False):
-    """(b)"""
+    """(b), with less bounces of light if these take POV-Ray too long."""
     text = quiet(text)
+    try:
+        bounced(outcome, text, base, check)
+    except renderers.TooLong:
+        if once(text):
+            raise
+        outcome.notes.append(SLOW)
+        bounced(outcome, BOUNCES.sub('recursion_limit 1', text), base, check)
+
+
+def bounced(outcome, text, base, check):
+    """(b)"""
     ours, left = None, METHODS
     for size, counts, settings, factor in LEVELS:
         if factor != 1 and not ADDON.search(text):
@@ -229,7 +247,7 @@ def indirect(outcome, text, base, check=False):
         theirs, noise = sum(pictures) / len(pictures), deviation(*pictures) if len(pictures) == 2 else 0.0
         if void(theirs, text):
             outcome.notes.append(EXPONENTS)
-            indirect(outcome, EXPONENT.sub('', text), base, check)
+            bounced(outcome, EXPONENT.sub('', text), base, check)
             return
         ours = ours or Ours(written(os.path.join(base, 'indirect.pov'), text), base, allowed(theirs))
         if check:

@@ -305,12 +305,32 @@ V int beam_blocks(const ald_accel *a, struct beam *b, uint32_t ref, int any)
 	return found;
 }
 
+/* Where the line meets a triangle's plane, as the ray has it: the beam's own z goes with where the ray is
+ * entered from, and one that goes on behind a hit would meet that again. */
+V double beam_plane(const ald_accel *a, const struct beam *b, const struct block *n, unsigned k)
+{
+	double e[3], g[3], up = 0, across = 0;
+
+	for (unsigned i = 0; i < 3; i++) {
+		e[i] = (double)n->v[1][i][k] - (double)n->v[0][i][k];
+		g[i] = (double)n->v[2][i][k] - (double)n->v[0][i][k];
+	}
+	for (unsigned i = 0; i < 3; i++) {
+		unsigned x = i == 2 ? 0 : i + 1, y = x == 2 ? 0 : x + 1;
+		double normal = e[x] * g[y] - e[y] * g[x];
+
+		up += normal * ((double)n->v[0][i][k] - (b->prep.o[i] - a->centre[i]) * a->scale);
+		across += normal * b->prep.d[i];
+	}
+	return up / (across * a->scale);
+}
+
 /* For --precision=fast: what the floats say. With their bounds at 0, a lane that may be hit is. */
 V int beam_blocks_fast(const ald_accel *a, struct beam *b, uint32_t ref, int any)
 {
 	const struct block *n = &a->block[ref & REF_INDEX];
 	const struct block *end = n + (ref >> REF_SHIFT & 7) + 1;
-	float z[SEATS] __attribute__((aligned(16))), w[3][SEATS] __attribute__((aligned(16)));
+	float w[3][SEATS] __attribute__((aligned(16)));
 	int found = 0;
 
 	for (; n < end; n++) {
@@ -319,16 +339,15 @@ V int beam_blocks_fast(const ald_accel *a, struct beam *b, uint32_t ref, int any
 		beam_block(b, n, &m);
 		if (!m.maybe)
 			continue;
-		f4_store(z, f4_mul_add(m.a, m.az, f4_mul_add(m.b, m.bz, f4_mul(m.c, m.cz))));
 		f4_store(w[0], m.b);
 		f4_store(w[1], m.c);
 		f4_store(w[2], f4_add(f4_add(m.a, m.b), m.c));
 		for (; m.maybe; m.maybe &= m.maybe - 1) {
 			unsigned k = (unsigned)__builtin_ctz(m.maybe);
-			double t = b->shift + (double)(z[k] / w[2][k] * b->back) / b->tscale;
+			double t = beam_plane(a, b, n, k);
 			ald_hit *h = b->hit;
 
-			if (n->id[k] == ALD_NONE || !(fabsf(w[2][k]) > FLT_MIN) ||
+			if (n->id[k] == ALD_NONE || !(fabsf(w[2][k]) > FLT_MIN) || !(fabs(t) <= DBL_MAX) ||
 			    !ald_counts(b->ray, t, n->id[k], h) || !ald_sees(a->prims, b->ray, n->id[k]))
 				continue;
 			if (any)

@@ -46,9 +46,10 @@ static bool good_enough(char class, const struct tally *t, const struct limits *
 
 	if (!t->rays || (t->unlike && precision != ALD_PRECISION_FAST) || !t->plain || t->unlike_plain)
 		return false;
-	if (precision == ALD_PRECISION_FAST) /* told, and held to be sane */
+	if (precision == ALD_PRECISION_FAST) /* told, and held to be sane; f is beyond what floats can hold */
 		return within(tally_hard(t), t->rays, class == 'r' ? 0 : 250000) &&
-		       within(strict + t->unlike, t->rays, class == 'r' ? 2000 : ANY) && t->t_error <= 0.1;
+		       within(strict + t->unlike, t->rays, class == 'r' ? 2000 : ANY) &&
+		       (class == 'f' || t->t_error <= 0.1);
 	if (precision == ALD_PRECISION_EXACT)
 		return !strict && !t->neighbours && !t->wrong_ids && !t->wrong_sheet && t->t_error <= 2.3e-16;
 	return within(t->leaks, t->rays, l->leaks) && within(tally_hard(t), t->rays, l->hard) &&

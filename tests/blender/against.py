@@ -16,7 +16,7 @@ A scene is drawn three times.
 How good POV-Ray's picture of (b) is. The issue of it is high quality: count 1600, error_bound 0.1, nearest_count 10, or
 what converges. LEVELS has what is tried in turn until both methods have passed; their bounds are always the same.
 First a small picture of count 250. Where light bounces once, as in the add-on's files, pictures of count 400 were
-0.0003 to 0.0007 (RMSE) from those of 1600 in six files; that 250 is nearer than 0.001 is measured in one file in twenty
+0.0003 to 0.0007 (RMSE) from those of 1600 in five files; that 250 is nearer than 0.001 is measured in one file in twenty
 in each run. Then one of the add-on's scene made 100 times
 larger, where POV-Ray's fixed distances, which at an edge can put one pixel of another thing into the picture, are as
 good as nothing. Then two larger pictures, whose difference tells

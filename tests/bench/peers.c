@@ -21,10 +21,9 @@ bool peer_is(const char *name)
 	return false;
 }
 
-struct peer *peer_open(const char *name, const ald_prims *p)
+struct peer *peer_open(const char *name, const ald_prims *p, uint32_t threads, double *seconds)
 {
-	(void)name;
-	(void)p;
+	(void)name, (void)p, (void)threads, (void)seconds;
 	exit(1);
 }
 
@@ -45,6 +44,7 @@ void peer_fire(struct peer *p, const ald_ray *ray, ald_hit *hit, uint8_t *hidden
 }
 #else
 #include <embree3/rtcore.h>
+#include <time.h>
 #include <xmmintrin.h>
 
 struct peer {
@@ -66,18 +66,28 @@ static bool monitor(void *ptr, ssize_t bytes, bool post)
 	return true;
 }
 
-struct peer *peer_open(const char *name, const ald_prims *prims)
+static double clock_now(void)
+{
+	struct timespec t;
+
+	clock_gettime(CLOCK_MONOTONIC, &t);
+	return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+struct peer *peer_open(const char *name, const ald_prims *prims, uint32_t threads, double *seconds)
 {
 	struct peer *p = calloc(1, sizeof(*p));
-	const char *isa = strstr(name, "isa=");
-	char config[100];
+	const char *isa = strstr(name, "isa="), *splits = strstr(name, "splits=");
+	char config[200];
 	RTCGeometry g;
 	float *v;
 	uint32_t *t, top = 0;
 	ssize_t before;
 
 	p->width = (unsigned)atoi(name + 6);
-	snprintf(config, sizeof(config), "threads=1,set_affinity=0%s%.20s", isa ? "," : "", isa ? isa : "");
+	snprintf(config, sizeof(config), "threads=%u,set_affinity=0%s%.40s", threads, isa ? "," : "", isa ? isa : "");
+	if (splits)
+		snprintf(config + strlen(config), 50, ",max_spatial_split_replications=%.5s", splits + 7);
 	for (char *c = config; *c; c++)
 		*c = *c == ':' ? 0 : *c;
 	p->device = rtcNewDevice(config);
@@ -97,11 +107,15 @@ struct peer *peer_open(const char *name, const ald_prims *prims)
 	v = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, top + (size_t)1);
 	for (uint32_t i = 0; i < 3 * (top + 1); i++)
 		v[i] = (float)((const double *)prims->vertex)[i];
+	if (strstr(name, "low"))
+		rtcSetGeometryBuildQuality(g, RTC_BUILD_QUALITY_LOW);
 	rtcCommitGeometry(g);
 	rtcAttachGeometry(p->scene, g);
 	rtcReleaseGeometry(g);
 	before = p->bytes;
+	*seconds = clock_now();
 	rtcCommitScene(p->scene);
+	*seconds = clock_now() - *seconds;
 	p->bytes -= before;
 	return p;
 }

@@ -13,9 +13,10 @@
 
 struct peer;
 
-/* embree1, embree8, embree16: rtcIntersect1, 8, 16; with :isa=avx2, :robust, :high, :low behind. */
+/* embree1, embree8, embree16: rtcIntersect1, 8, 16; with :isa=avx2, :robust, :high, :low, :splits=N behind (N: times
+ * as many references at most; Embree's own limit, which is 1.2, counts in :high). seconds: what building took. */
 bool peer_is(const char *name);
-struct peer *peer_open(const char *name, const ald_prims *); /* built; exits where it can't */
+struct peer *peer_open(const char *name, const ald_prims *, uint32_t threads, double *seconds); /* or exits */
 double peer_bytes(const struct peer *); /* of the tree */
 void peer_close(struct peer *);
 /* hidden: NULL for nearest hits. */

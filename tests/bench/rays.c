@@ -5,7 +5,7 @@
  * rounds, one after another, in one process; what is printed are medians of the rounds, of CPU time of the
  * one thread, and ratios of each round to the first accelerator's.
  *
- *	rays [-c] [-n ROUNDS] [-s WIDTH] [-m MESH,..] [-t THREADS] [ACCEL ..]	(-c: counters, too)
+ *	rays [-c] [-n ROUNDS] [-s WIDTH] [-m MESH,..] [-t THREADS] [-b BUILDS] [ACCEL ..]	(-c: counters, too)
  *
  * Kinds: camera (32x32 tiles), shadow (one a hit, to a point), bounce (cosine, one a hit), shuffled (the same
  * in no order), ao (short, one a hit). An accelerator is as alidade -a has it, or, if Embree was found when
@@ -37,7 +37,7 @@ struct engine {
 	ald_accel *it; /* NULL: a peer */
 	ald_query q;
 	struct peer *peer;
-	double build, bytes;
+	double build, bytes; /* build: seconds by the clock, the median */
 	double seconds[KINDS][ROUNDS];
 	uint64_t sum[KINDS]; /* hits, for the eye */
 };
@@ -46,7 +46,7 @@ struct bench {
 	struct mesh mesh;
 	struct test_host host;
 	struct engine engine[ENGINES];
-	uint32_t engines, rounds, width, height, threads, counts;
+	uint32_t engines, rounds, width, height, threads, counts, builds;
 	ald_ray *ray[KINDS];
 	uint32_t n[KINDS];
 	ald_hit *hit;
@@ -111,7 +111,7 @@ static ald_vec times(ald_vec a, double s)
 }
 
 /* Long thin boxes in a room. */
-static void mesh_beams(struct mesh *m, uint32_t n)
+static void mesh_beams(struct mesh *m, uint32_t n, double least, double more)
 {
 	uint64_t seed = 5;
 	ald_vec room[3] = { { 1.2, 0, 0 }, { 0, 1.2, 0 }, { 0, 0, 1.2 } }, middle = { 0, 0, 0 };
@@ -122,7 +122,7 @@ static void mesh_beams(struct mesh *m, uint32_t n)
 		ald_vec c = { 2 * random_unit(&seed) - 1, 2 * random_unit(&seed) - 1,
 			      2 * random_unit(&seed) - 1 };
 		ald_vec x = any_way(&seed), y = unit(cross(x, any_way(&seed))), z = cross(x, y);
-		ald_vec axis[3] = { times(x, 0.05 + 0.1 * random_unit(&seed)), times(y, 0.001), times(z, 0.001) };
+		ald_vec axis[3] = { times(x, least + more * random_unit(&seed)), times(y, 0.001), times(z, 0.001) };
 
 		add_box(m, &c, axis);
 	}
@@ -173,7 +173,11 @@ static bool make_mesh(struct bench *b, const char *name, ald_vec *eye, ald_vec *
 		mesh_soup(m, 500000, 1, 0.06, 3);
 		*eye = (ald_vec){ 2.5, -3, 2 };
 	} else if (!strcmp(name, "beams")) {
-		mesh_beams(m, 20000);
+		mesh_beams(m, 20000, 0.05, 0.1);
+		*eye = (ald_vec){ 0.9, -0.95, 0.9 };
+		*wide = 0.8;
+	} else if (!strcmp(name, "hall")) {
+		mesh_beams(m, 20000, 0.3, 0.5);
 		*eye = (ald_vec){ 0.9, -0.95, 0.9 };
 		*wide = 0.8;
 	} else if (!strncmp(name, "terrain", 7)) {
@@ -273,61 +277,121 @@ static void second_rays(struct bench *b, struct engine *e)
 
 /* ---- engines ---- */
 
-static bool open_engine(struct bench *b, struct engine *e, const char *name)
+static double clock_now(void)
 {
-	ald_error err = { "" };
+	struct timespec t;
+
+	clock_gettime(CLOCK_MONOTONIC, &t);
+	return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static int by_size(const void *a, const void *b)
+{
+	double x = *(const double *)a, y = *(const double *)b;
+
+	return (x > y) - (x < y);
+}
+
+static double median(const double *x, uint32_t n)
+{
+	double v[ROUNDS];
+
+	memcpy(v, x, n * sizeof(*v));
+	qsort(v, n, sizeof(*v), by_size);
+	return n % 2 ? v[n / 2] : (v[n / 2 - 1] + v[n / 2]) / 2;
+}
+
+static bool load_engine(struct engine *e, const char *name)
+{
 	struct diag d = { 0 };
 	char plain[256];
 	const char *at = strchr(name, '@');
-	double start;
 
 	e->name = name;
 	snprintf(plain, sizeof(plain), "%.*s", at ? (int)(at - name) : 255, name);
 	e->precision = at && !strcmp(at, "@exact") ? ALD_PRECISION_EXACT :
 		       at && !strcmp(at, "@fast")  ? ALD_PRECISION_FAST :
 						     ALD_PRECISION_DEFAULT;
-	start = cpu_now();
-	if (peer_is(name)) {
-		e->peer = peer_open(name, &b->mesh.prims);
-	} else {
-		if (accel_load(&e->choice, plain, &d) != STATUS_OK ||
-		    !(e->choice.plugin->precisions & e->precision)) {
-			fprintf(stderr, "rays: no accelerator %s, or not of that precision\n", name);
-			return false;
-		}
-		start = cpu_now();
-		b->mesh.prims.precision = e->precision; /* which is looked at now, and not later */
-		if (e->choice.plugin->build(&b->host.host, &b->mesh.prims, e->choice.value, &e->it, &err)) {
-			fprintf(stderr, "rays: %s: %s\n", name, err.text);
-			return false;
-		}
-		if (e->choice.plugin->scratch_size)
-			e->q.scratch = mem_zalloc(&b->host.book, "scratch", e->choice.plugin->scratch_size(e->it));
-	}
-	e->build = cpu_now() - start;
-	for (uint32_t i = 0; e->it && e->choice.plugin->stat; i++) {
-		const char *what;
-		double value;
-
-		if (!e->choice.plugin->stat(e->it, i, &what, &value))
-			break;
-		if (!strcmp(what, "memory"))
-			e->bytes = value;
-	}
-	if (e->peer)
-		e->bytes = peer_bytes(e->peer);
-	return true;
+	if (peer_is(name))
+		return true;
+	if (accel_load(&e->choice, plain, &d) == STATUS_OK && (e->choice.plugin->precisions & e->precision))
+		return true;
+	fprintf(stderr, "rays: no accelerator %s, or not of that precision\n", name);
+	return false;
 }
 
 static void close_engine(struct engine *e)
 {
-	if (e->peer) {
+	if (e->peer)
 		peer_close(e->peer);
-		return;
-	}
-	e->choice.plugin->destroy(e->it);
+	else
+		e->choice.plugin->destroy(e->it);
+	e->peer = NULL;
+	e->it = NULL;
+}
+
+static void release_engine(struct engine *e)
+{
+	close_engine(e);
 	mem_free(e->q.scratch);
-	accel_unload(&e->choice);
+	if (e->choice.plugin)
+		accel_unload(&e->choice);
+}
+
+static bool build_engine(struct bench *b, struct engine *e)
+{
+	ald_error err = { "" };
+	double start;
+
+	if (!e->choice.plugin) {
+		e->peer = peer_open(e->name, &b->mesh.prims, b->threads, &e->build);
+		return true;
+	}
+	b->mesh.prims.precision = e->precision; /* which is looked at now, and not later */
+	start = clock_now();
+	if (e->choice.plugin->build(&b->host.host, &b->mesh.prims, e->choice.value, &e->it, &err)) {
+		fprintf(stderr, "rays: %s: %s\n", e->name, err.text);
+		return false;
+	}
+	e->build = clock_now() - start;
+	return true;
+}
+
+/* All in turns, so that none meets memory fresher than the others'. */
+static bool open_engines(struct bench *b, char **names, int count)
+{
+	double seconds[ENGINES][ROUNDS];
+
+	for (int i = 0; i < count && i < ENGINES; i++) {
+		if (!load_engine(&b->engine[b->engines++], names[i]))
+			return false;
+	}
+	for (uint32_t r = 0; r < b->builds; r++) {
+		for (uint32_t i = 0; i < b->engines; i++) {
+			struct engine *e = &b->engine[i];
+
+			if (r)
+				close_engine(e);
+			if (!build_engine(b, e))
+				return false;
+			seconds[i][r] = e->build;
+		}
+	}
+	for (uint32_t i = 0; i < b->engines; i++) {
+		struct engine *e = &b->engine[i];
+		const char *what;
+		double value;
+
+		e->build = median(seconds[i], b->builds);
+		if (e->peer)
+			e->bytes = peer_bytes(e->peer);
+		if (e->it && e->choice.plugin->scratch_size)
+			e->q.scratch = mem_zalloc(&b->host.book, "scratch", e->choice.plugin->scratch_size(e->it));
+		for (uint32_t k = 0; e->it && e->choice.plugin->stat && e->choice.plugin->stat(e->it, k, &what, &value);
+		     k++)
+			e->bytes = strcmp(what, "memory") ? e->bytes : value;
+	}
+	return true;
 }
 
 static void settle(const struct bench *b, const ald_ray *r, ald_hit *hit)
@@ -370,22 +434,6 @@ static void fire(struct bench *b, struct engine *e, unsigned kind, uint32_t roun
 	}
 	e->seconds[kind][round] = cpu_now() - start;
 	e->sum[kind] = sum;
-}
-
-static int by_size(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return (x > y) - (x < y);
-}
-
-static double median(const double *x, uint32_t n)
-{
-	double v[ROUNDS];
-
-	memcpy(v, x, n * sizeof(*v));
-	qsort(v, n, sizeof(*v), by_size);
-	return n % 2 ? v[n / 2] : (v[n / 2 - 1] + v[n / 2]) / 2;
 }
 
 static void report(struct bench *b, const char *mesh)
@@ -447,17 +495,15 @@ static int run(struct bench *b, const char *mesh, char **names, int count)
 	double wide;
 
 	if (!make_mesh(b, mesh, &eye, &at, &wide)) {
-		fprintf(stderr, "rays: no mesh %s: torus, statue100k, statue1m, soup, beams, terrain, terrain10m\n",
+		fprintf(stderr, "rays: no mesh %s: torus, statue100k, statue1m, soup, beams, hall, terrain, terrain10m\n",
 			mesh);
 		return 2;
 	}
 	memset(b->engine, 0, sizeof(b->engine));
 	b->engines = 0;
 	test_host_init(&b->host, b->threads, 0);
-	for (int i = 0; i < count && i < ENGINES; i++) {
-		if (!open_engine(b, &b->engine[b->engines++], names[i]))
-			return 1;
-	}
+	if (!open_engines(b, names, count))
+		return 1;
 	camera_rays(b, eye, at, wide);
 	for (uint32_t i = 0; i < b->engines; i++) {
 		if (b->engine[i].it) {
@@ -475,7 +521,7 @@ static int run(struct bench *b, const char *mesh, char **names, int count)
 	for (uint32_t i = 0; i < b->engines && b->counts; i++)
 		report_counts(b, &b->engine[i]);
 	for (uint32_t i = 0; i < b->engines; i++)
-		close_engine(&b->engine[i]);
+		release_engine(&b->engine[i]);
 	test_host_release(&b->host);
 	mesh_release(&b->mesh);
 	return 0;
@@ -493,7 +539,8 @@ int main(int argc, char **argv)
 	b->rounds = 7;
 	b->width = 512;
 	b->threads = 1;
-	while ((c = getopt(argc, argv, "n:s:m:t:c")) != -1) {
+	b->builds = 3;
+	while ((c = getopt(argc, argv, "n:s:m:t:b:c")) != -1) {
 		if (c == 'n')
 			b->rounds = (uint32_t)atoi(optarg);
 		else if (c == 's')
@@ -502,12 +549,14 @@ int main(int argc, char **argv)
 			meshes = optarg;
 		else if (c == 'c')
 			b->counts = 1;
+		else if (c == 'b')
+			b->builds = (uint32_t)atoi(optarg);
 		else if (c == 't')
 			b->threads = (uint32_t)atoi(optarg);
 		else
 			return 2;
 	}
-	if (b->rounds < 1 || b->rounds > ROUNDS || b->width < 128 || b->width > 8192)
+	if (b->rounds < 1 || b->rounds > ROUNDS || b->builds < 1 || b->builds > ROUNDS || b->width < 128 || b->width > 8192)
 		return 2;
 	b->height = b->width / 4 * 3;
 	rays = (size_t)b->width * b->height;

@@ -6,6 +6,7 @@
  * processor has is taken.
  */
 #include "bvh8.h"
+#include "seen.h"
 
 #include <stdio.h>
 
@@ -95,6 +96,11 @@ static int bvh8_build(const ald_host *host, const ald_prims *prims, const double
 	else
 		*out = b.a;
 	return status;
+}
+
+static size_t bvh8_scratch_size(const ald_accel *a)
+{
+	return a->parts ? seen_size(a->prims->count) : 0;
 }
 
 static void bvh8_intersect_n(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit, uint32_t n,
@@ -220,6 +226,7 @@ const ald_accel_plugin ald_accel_entry = {
 	.build = bvh8_build,
 	.intersect = bvh8_intersect,
 	.destroy = bvh8_destroy,
+	.scratch_size = bvh8_scratch_size,
 	.occluded = bvh8_occluded,
 	.intersect_n = bvh8_intersect_n,
 	.occluded_n = bvh8_occluded_n,

@@ -228,6 +228,7 @@ int bvh8_split(struct builder *b)
 			h->free(h->ctx, b->ref);
 			b->ref = c.out;
 			b->refs = (uint32_t)n;
+			b->a->parts = 1;
 		}
 	}
 	h->free(h->ctx, c.count);

@@ -9,6 +9,7 @@
 #define BVH8_WALK_H
 
 #include "bvh8_beam.h"
+#include "seen.h"
 
 #define DONE EMPTY /* the next step of a walk that has ended */
 
@@ -90,7 +91,15 @@ V uint32_t step_node(const ald_accel *a, const struct beam *b, uint32_t ref, uin
 	return (uint32_t)e;
 }
 
-V void count_step(const ald_accel *a, uint32_t ref, uint64_t *count)
+V void count_prim(const ald_accel *a, struct seen *s, uint32_t id, uint64_t *count)
+{
+	count[ALD_COUNT_PRIMS]++;
+	if (s)
+		count[ALD_COUNT_REPEATS] += seen_again(s, a->prims->count, id);
+}
+
+/* s: NULL where nothing can be met again. */
+V void count_step(const ald_accel *a, struct seen *s, uint32_t ref, uint64_t *count)
 {
 	count[ALD_COUNT_VOLUME_HITS]++;
 	if (ref < REF_LEAF) {
@@ -98,12 +107,17 @@ V void count_step(const ald_accel *a, uint32_t ref, uint64_t *count)
 		for (unsigned k = 0; k < WIDTH; k++)
 			count[ALD_COUNT_VOLUME_TESTS] += a->node[ref].child[k] != EMPTY;
 	} else if (ref >= REF_OTHERS) {
-		count[ALD_COUNT_PRIMS] += a->other[ref & REF_INDEX];
+		const uint32_t *list = &a->other[ref & REF_INDEX];
+
+		for (uint32_t i = 1; i <= list[0]; i++)
+			count_prim(a, s, list[i], count);
 	} else {
 		const struct block *b = &a->block[ref & REF_INDEX];
 
-		for (uint32_t i = 0; i < SEATS * ((ref >> REF_SHIFT & 7) + 1); i++)
-			count[ALD_COUNT_PRIMS] += b[i / SEATS].slack[i % SEATS] >= 0;
+		for (uint32_t i = 0; i < SEATS * ((ref >> REF_SHIFT & 7) + 1); i++) {
+			if (b[i / SEATS].slack[i % SEATS] >= 0)
+				count_prim(a, s, b[i / SEATS].id[i % SEATS], count);
+		}
 	}
 }
 
@@ -124,17 +138,20 @@ V int begin(const ald_accel *a, ald_query *q, struct beam *b, const ald_ray *ray
 V int walk_one(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit, int any, uint64_t *count)
 {
 	struct beam b;
+	struct seen *seen = count && a->parts ? q->scratch : NULL;
 	uint64_t stack[STACK_MAX];
 	uint32_t top = 0, ref = a->root;
 	int found;
 
 	if (count)
 		count[ALD_COUNT_VOLUME_TESTS]++;
+	if (seen)
+		seen_begin(seen, a->prims->count);
 	if (!begin(a, q, &b, ray, hit, any, &found))
 		return found;
 	while (ref != DONE) {
 		if (count)
-			count_step(a, ref, count);
+			count_step(a, seen, ref, count);
 		if (ref < REF_LEAF) {
 			ref = step_node(a, &b, ref, stack, &top, any);
 			continue;

@@ -20,13 +20,13 @@ plugins_box_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
 plugins_box_la_LDFLAGS = $(PLUGIN_LDFLAGS)
 
 plugins_octree_la_SOURCES = plugins/octree.c plugins/octree_build.c plugins/octree.h \
-	plugins/octree_walk.h
+	plugins/octree_walk.h plugins/seen.h
 plugins_octree_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
 plugins_octree_la_LDFLAGS = $(PLUGIN_LDFLAGS)
 
 plugins_bvh8_la_SOURCES = plugins/bvh8.c plugins/bvh8_build.c plugins/bvh8_split.c plugins/bvh8_sah.c plugins/bvh8_wide.c \
 	plugins/bvh8_plain.c plugins/bvh8_sse.c plugins/bvh8_avx2.c plugins/bvh8_avx512.c \
-	plugins/bvh8.h plugins/bvh8_beam.h plugins/bvh8_vec.h plugins/bvh8_walk.h
+	plugins/bvh8.h plugins/bvh8_beam.h plugins/bvh8_vec.h plugins/bvh8_walk.h plugins/seen.h
 plugins_bvh8_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
 plugins_bvh8_la_LDFLAGS = $(PLUGIN_LDFLAGS)
 

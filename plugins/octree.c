@@ -11,6 +11,7 @@
  * going front to back.
  */
 #include "octree.h"
+#include "seen.h"
 
 static const char *const index_label[] = { "auto", "16", "32", NULL };
 static const char *const shape_label[] = { "cube", "box", NULL };
@@ -25,43 +26,9 @@ static const ald_param params[] = {
 	{ NULL, NULL, 0, 0, 0, 0, NULL },
 };
 
-/* For counting only: which primitives this ray has met. A ray that meets more than half of SEEN different
- * ones has repeats of the others counted as first tests. */
-#define SEEN 4096
-struct seen {
-	uint32_t ray, used;
-	struct {
-		uint32_t id, ray;
-	} slot[]; /* seen_slots() */
-};
-
-static uint32_t seen_slots(const ald_accel *a)
-{
-	uint32_t n = 16;
-
-	while (n < SEEN && n / 2 < a->prims->count)
-		n *= 2;
-	return n;
-}
-
 static size_t octree_scratch_size(const ald_accel *a)
 {
-	return sizeof(struct seen) + seen_slots(a) * (size_t)8;
-}
-
-static void seen_add(const ald_accel *a, struct seen *s, uint64_t *count, uint32_t id)
-{
-	uint32_t n = seen_slots(a), i = (id * 2654435761u >> 16) & (n - 1);
-
-	while (s->slot[i].ray == s->ray && s->slot[i].id != id)
-		i = (i + 1) & (n - 1);
-	if (s->slot[i].ray == s->ray) {
-		count[ALD_COUNT_REPEATS]++;
-	} else if (s->used < n / 2) {
-		s->used++;
-		s->slot[i].ray = s->ray;
-		s->slot[i].id = id;
-	}
+	return seen_size(a->prims->count);
 }
 
 static void count_leaf(const ald_accel *a, struct seen *s, uint64_t *count, const struct leaf *leaf)
@@ -70,9 +37,10 @@ static void count_leaf(const ald_accel *a, struct seen *s, uint64_t *count, cons
 	if (a->root_is_leaf)
 		return;
 	for (uint32_t i = 0; i < leaf->tris; i++)
-		seen_add(a, s, count, a->id[leaf->block + i / ALD_LANES][i % ALD_LANES]);
+		count[ALD_COUNT_REPEATS] += seen_again(s, a->prims->count,
+						       a->id[leaf->block + i / ALD_LANES][i % ALD_LANES]);
 	for (uint32_t i = 0; i < leaf->others; i++)
-		seen_add(a, s, count, a->other[leaf->other + i]);
+		count[ALD_COUNT_REPEATS] += seen_again(s, a->prims->count, a->other[leaf->other + i]);
 }
 
 #define FAST 0

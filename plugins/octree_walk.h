@@ -264,11 +264,7 @@ ALD_INLINE int NAMED(trace)(const ald_accel *a, ald_query *q, const ald_ray *ray
 	if (count) {
 		count[ALD_COUNT_VOLUME_TESTS]++;
 		w.seen = q->scratch;
-		w.seen->used = 0;
-		if (!++w.seen->ray) { /* 2^32 rays later: slots of old would look new */
-			memset(w.seen, 0, octree_scratch_size(a));
-			w.seen->ray = 1;
-		}
+		seen_begin(w.seen, a->prims->count);
 	}
 	if (!NAMED(enter_root)(&w))
 		return 0;

@@ -341,6 +341,84 @@ static void test_counts(void **state)
 	free(a);
 }
 
+/* Thin triangles along the diagonals of a cube, side by side. */
+static void mesh_beams(struct mesh *m, uint32_t n)
+{
+	mesh_group(m);
+	for (uint32_t i = 0; i < n; i++) {
+		double x = i & 1 ? 1 : -1, y = i & 2 ? 1 : -1, at = 0.001 * i;
+		uint32_t a = mesh_vertex(m, -x, -y, -1 + at), b = mesh_vertex(m, x, y, 1 + at);
+
+		mesh_triangle(m, a, b, mesh_vertex(m, -x, -y, -1.005 + at));
+	}
+}
+
+static void mesh_cube(struct mesh *m)
+{
+	static const unsigned side[6][4] = {
+		{ 0, 1, 3, 2 }, { 4, 6, 7, 5 }, { 0, 4, 5, 1 }, { 2, 3, 7, 6 }, { 0, 2, 6, 4 }, { 1, 5, 7, 3 },
+	};
+	uint32_t v[8];
+
+	mesh_group(m);
+	for (unsigned i = 0; i < 8; i++)
+		v[i] = mesh_vertex(m, i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+	for (unsigned i = 0; i < 6; i++) {
+		mesh_triangle(m, v[side[i][0]], v[side[i][1]], v[side[i][2]]);
+		mesh_triangle(m, v[side[i][0]], v[side[i][2]], v[side[i][3]]);
+	}
+}
+
+/* Of each ray that is asked alone, tests but repeats are no more than there are primitives. */
+static uint64_t repeats_of(const char *name, struct mesh *m)
+{
+	struct accel *a = malloc(sizeof(*a));
+	struct test_host h;
+	uint64_t repeats = 0;
+
+	mesh_finish(m, false, false, false);
+	test_host_init(&h, 2, 0);
+	accel_open(a, name, &h, m);
+	a->q.count = a->count;
+	for (uint32_t i = 0; i < 4 * BATCH; i++) {
+		const uint64_t *n = a->count;
+		ald_ray ray;
+
+		ray_make(m, 2, i, &ray);
+		memset(a->count, 0, sizeof(a->count));
+		fresh(a->hit, &ray, 1);
+		a->choice.plugin->intersect(a->it, &a->q, &ray, a->hit);
+		assert_true(n[ALD_COUNT_REPEATS] <= n[ALD_COUNT_PRIMS]);
+		assert_true(n[ALD_COUNT_PRIMS] - n[ALD_COUNT_REPEATS] <= m->prims.count);
+		repeats += n[ALD_COUNT_REPEATS];
+	}
+	accel_close(a);
+	assert_int_equal(h.book.now, 0);
+	test_host_release(&h);
+	mesh_release(m);
+	*m = (struct mesh){ 0 };
+	free(a);
+	return repeats;
+}
+
+static void test_repeats(void **state)
+{
+	static const char *const name[] = { "octree:leaf=1,depth=5,price=0", "bvh8", "bvh8:isa=plain,leaf=1" };
+	struct mesh m = { 0 };
+
+	(void)state;
+	for (unsigned k = 0; k < sizeof(name) / sizeof(name[0]); k++) {
+		mesh_beams(&m, 12);
+		assert_true(repeats_of(name[k], &m) > 0);
+	}
+	mesh_beams(&m, 12);
+	assert_int_equal(repeats_of("bvh8:split=1", &m), 0);
+	mesh_cube(&m);
+	assert_int_equal(repeats_of("bvh8", &m), 0);
+	mesh_cube(&m);
+	assert_int_equal(repeats_of("none", &m), 0);
+}
+
 /* A build that runs out of memory anywhere, or is cancelled, leaves nothing behind (R7). */
 static void test_failed_builds(void **state)
 {
@@ -516,7 +594,8 @@ static void test_bvh8_threads(void **state)
 	free(a);
 }
 
-int main(void)
+/* An argument picks tests by name, * and ? stand for others. */
+int main(int argc, char **argv)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_torus),	     cmocka_unit_test(test_objects),
@@ -526,9 +605,12 @@ int main(void)
 		cmocka_unit_test(test_one),	     cmocka_unit_test(test_counts),
 		cmocka_unit_test(test_failed_builds), cmocka_unit_test(test_octree_figures),
 		cmocka_unit_test(test_bvh8_figures), cmocka_unit_test(test_bvh8_threads),
+		cmocka_unit_test(test_repeats),
 	};
 
 	if (getenv("ALIDADE_TEST_ACCEL"))
 		spec[SPECS - 1] = getenv("ALIDADE_TEST_ACCEL");
+	if (argc > 1)
+		cmocka_set_test_filter(argv[1]);
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

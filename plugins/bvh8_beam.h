@@ -34,6 +34,7 @@ struct beam {
 	uint32_t pending; /* triangles that may be hit, to be asked about at the end */
 	uint32_t id[PENDING];
 	float low[PENDING]; /* no t of theirs is less */
+	float high[PENDING]; /* of those that are hit for sure, none is more; else infinite */
 	double shift, tscale; /* t of the walk = (t - shift) * tscale */
 	const ald_ray *ray;
 	ald_hit *hit;
@@ -228,9 +229,36 @@ V int beam_triangle(const ald_accel *a, struct beam *b, uint32_t id)
 	return 1;
 }
 
+/* In exact order the host rounds the winner's t. So where floats alone tell that a triangle is hit, at a t that
+ * counts and before all else, it need not be asked about: their bounds on t do, rounded outward. */
+V int beam_certain(struct beam *b)
+{
+	double low, high, back = 1 / b->tscale;
+	uint32_t best = 0;
+
+	if (b->hit->prim != ALD_NONE)
+		return 0;
+	for (uint32_t i = 1; i < b->pending; i++)
+		best = b->low[i] < b->low[best] ? i : best;
+	if (!(b->high[best] < INFINITY))
+		return 0;
+	for (uint32_t i = 0; i < b->pending; i++) {
+		if (b->id[i] != b->id[best] && !(b->low[i] > b->high[best]))
+			return 0;
+	}
+	low = (double)b->low[best] * back + b->shift;
+	high = (double)b->high[best] * back + b->shift;
+	*b->hit = (ald_hit){ .t = high + 4 * ALD_U * fabs(high), .u = low - 4 * ALD_U * fabs(low),
+			     .prim = b->id[best] };
+	b->pending = 0;
+	return 1;
+}
+
 /* Ask the kernel about what is pending, the nearest first. */
 V void beam_settle(const ald_accel *a, struct beam *b)
 {
+	if (a->frame.exact && b->pending && beam_certain(b))
+		return;
 	while (b->pending) {
 		uint32_t best = 0, id;
 
@@ -242,11 +270,11 @@ V void beam_settle(const ald_accel *a, struct beam *b)
 		else
 			beam_triangle(a, b, id);
 		b->id[best] = b->id[--b->pending];
-		b->low[best] = b->low[b->pending];
+		b->low[best] = b->low[b->pending]; /* high is of no use any more */
 	}
 }
 
-V void beam_pend(const ald_accel *a, struct beam *b, uint32_t id, float low)
+V void beam_pend(const ald_accel *a, struct beam *b, uint32_t id, float low, float high)
 {
 	uint32_t kept = 0;
 
@@ -255,6 +283,7 @@ V void beam_pend(const ald_accel *a, struct beam *b, uint32_t id, float low)
 			if (b->low[i] > b->tfar)
 				continue;
 			b->id[kept] = b->id[i];
+			b->high[kept] = b->high[i];
 			b->low[kept++] = b->low[i];
 		}
 		b->pending = kept;
@@ -262,6 +291,7 @@ V void beam_pend(const ald_accel *a, struct beam *b, uint32_t id, float low)
 			beam_settle(a, b);
 	}
 	b->id[b->pending] = id;
+	b->high[b->pending] = high;
 	b->low[b->pending++] = low;
 }
 
@@ -283,7 +313,7 @@ V int beam_blocks(const ald_accel *a, struct beam *b, uint32_t ref, int any)
 		for (; m.maybe; m.maybe &= m.maybe - 1) {
 			unsigned k = (unsigned)__builtin_ctz(m.maybe);
 			uint32_t id = n->id[k];
-			float z = low[sure >> k & 1][k];
+			float z = low[sure >> k & 1][k], t = INFINITY;
 
 			if (!ald_sees(a->prims, b->ray, id))
 				continue;
@@ -294,12 +324,11 @@ V int beam_blocks(const ald_accel *a, struct beam *b, uint32_t ref, int any)
 			}
 			found = 1;
 			if (sure >> k & 1) {
-				float t = high[k] * b->back * (1 + 0x1p-20f);
-
+				t = high[k] * b->back * (1 + 0x1p-20f);
 				if (t < b->tfar)
 					beam_cut(b, t);
 			}
-			beam_pend(a, b, id, z * b->back * (z > 0 ? 1 - 0x1p-20f : 1 + 0x1p-20f));
+			beam_pend(a, b, id, z * b->back * (z > 0 ? 1 - 0x1p-20f : 1 + 0x1p-20f), t);
 		}
 	}
 	return found;

@@ -322,43 +322,65 @@ ALD_RARE double ald_ratio_round(const ald_ratio *x)
 	return t;
 }
 
-/* The double that is nearest to the t of a triangle that the line meets. fused: see ald_product_by(). */
-ALD_INLINE double ald_exact_t(const double *o, const double *d, const ald_vec *v, int fused)
+/* One axis of ald_try_t(): that component of the normal, e[0] g[1] - e[1] g[0], times q and times d, added to sum[0]
+ * and sum[1]; to of[] the sizes of what was added. */
+ALD_INLINE void ald_try_axis(const double *e0, const double *e1, const double *g0, const double *g1, const double *q,
+			     double d, double sum[2][2], double of[2], int fused)
 {
-	const double *a = &v[0].x, *b = &v[1].x, *c = &v[2].x;
-	double e[3][2], g[3][2], q[3][2], up[2] = { 0, 0 }, across[2] = { 0, 0 }, x[2], y[2];
-	double of_up = 0, of_across = 0, t, rest, high, low, off;
-	ald_ratio exact;
+	double x[2], y[2], low, high, size;
 
-	for (unsigned k = 0; k < 3; k++) {
-		e[k][0] = ald_difference(b[k], a[k], &e[k][1]);
-		g[k][0] = ald_difference(c[k], a[k], &g[k][1]);
-		q[k][0] = ald_difference(a[k], o[k], &q[k][1]);
-	}
-	for (unsigned k = 0; k < 3; k++) {
-		unsigned i = k == 2 ? 0 : k + 1, j = i == 2 ? 0 : i + 1;
-		double size;
+	ald_pair_product(e0, g1, x, fused);
+	ald_pair_product(e1, g0, y, fused);
+	size = fabs(x[0]) + fabs(y[0]);
+	ald_pair_add(x, -y[0], -y[1]);
+	ald_pair_product(x, q, y, fused);
+	ald_pair_add(sum[0], y[0], y[1]);
+	high = ald_product_by(x[0], d, &low, fused);
+	ald_pair_add(sum[1], high, low + x[1] * d);
+	of[0] += size * fabs(q[0]);
+	of[1] += size * fabs(d);
+}
 
-		ald_pair_product(e[i], g[j], x, fused);
-		ald_pair_product(e[j], g[i], y, fused);
-		size = fabs(x[0]) + fabs(y[0]);
-		ald_pair_add(x, -y[0], -y[1]);
-		ald_pair_product(x, q[k], y, fused);
-		ald_pair_add(up, y[0], y[1]);
-		high = ald_product_by(x[0], d[k], &low, fused);
-		ald_pair_add(across, high, low + x[1] * d[k]);
-		of_up += size * fabs(q[k][0]);
-		of_across += size * fabs(d[k]);
-	}
-	t = up[0] / across[0];
-	high = ald_product_by(t, across[0], &low, fused);
-	rest = (((up[0] - high) - low) + up[1] - t * across[1]) / across[0];
-	off = 256 * ALD_U * ALD_U * (of_up + of_across * fabs(t)) / fabs(across[0]);
+/* The double that is nearest to the t of the triangle abc, in pairs of doubles; not 0 if it surely is. Without a
+ * branch or a loop, for lanes. fused: see ald_product_by(). */
+ALD_INLINE int ald_try_t(const double *o, const double *d, const double *a, const double *b, const double *c, int fused,
+			 double *rounded)
+{
+	double e[3][2], g[3][2], q[3][2], sum[2][2] = { { 0, 0 }, { 0, 0 } }, of[2] = { 0, 0 };
+	double t, rest, high, low, off, across;
+
+	e[0][0] = ald_difference(b[0], a[0], &e[0][1]);
+	e[1][0] = ald_difference(b[1], a[1], &e[1][1]);
+	e[2][0] = ald_difference(b[2], a[2], &e[2][1]);
+	g[0][0] = ald_difference(c[0], a[0], &g[0][1]);
+	g[1][0] = ald_difference(c[1], a[1], &g[1][1]);
+	g[2][0] = ald_difference(c[2], a[2], &g[2][1]);
+	q[0][0] = ald_difference(a[0], o[0], &q[0][1]);
+	q[1][0] = ald_difference(a[1], o[1], &q[1][1]);
+	q[2][0] = ald_difference(a[2], o[2], &q[2][1]);
+	ald_try_axis(e[1], e[2], g[1], g[2], q[0], d[0], sum, of, fused);
+	ald_try_axis(e[2], e[0], g[2], g[0], q[1], d[1], sum, of, fused);
+	ald_try_axis(e[0], e[1], g[0], g[1], q[2], d[2], sum, of, fused);
+	across = sum[1][0];
+	t = sum[0][0] / across;
+	high = ald_product_by(t, across, &low, fused);
+	rest = (((sum[0][0] - high) - low) + sum[0][1] - t * sum[1][1]) / across;
+	off = 256 * ALD_U * ALD_U * (of[0] + of[1] * fabs(t)) / fabs(across);
 	high = t + rest;
 	low = rest - (high - t);
-	if (fabs(across[0]) > 256 * ALD_U * of_across && of_across > 0x1p-900 && of_up > 0x1p-900 &&
-	    high + (low + off) == high && high + (low - off) == high)
-		return high;
+	*rounded = high;
+	return (fabs(across) > 256 * ALD_U * of[1]) & (of[1] > 0x1p-900) & (of[0] > 0x1p-900) &
+	       (high + (low + off) == high) & (high + (low - off) == high);
+}
+
+/* The double that is nearest to the t of a triangle that the line meets. */
+ALD_INLINE double ald_exact_t(const double *o, const double *d, const ald_vec *v, int fused)
+{
+	ald_ratio exact;
+	double t;
+
+	if (ald_try_t(o, d, &v[0].x, &v[1].x, &v[2].x, fused, &t))
+		return t;
 	ald_ratio_of(o, d, v, &exact);
 	return ald_ratio_round(&exact);
 }

@@ -55,6 +55,7 @@ void view_bounds(const ald_prims *, uint32_t id, ald_box *);
 int view_intersect(const ald_prims *, uint32_t id, ald_query *, const ald_ray *, ald_hit *);
 /* Round t and compute u and v of a hit that a plugin found, where it was asked for the exact order. */
 void view_settle(const struct view *, const ald_ray *, ald_hit *);
+void view_settle_n(const struct view *, const ald_ray *, ald_hit *, uint32_t n);
 /* What the plugin finds in a level, settled. */
 void view_nearest(const struct view *, struct worker *, const ald_ray *, ald_hit *);
 void view_intersect_n(const ald_prims *, uint32_t id, ald_query *, const ald_ray *, ald_hit *,

@@ -60,37 +60,6 @@ static bool exact(const struct view *v)
 	return v->prims.precision == ALD_PRECISION_EXACT;
 }
 
-ALD_INLINE void settle(const struct view *v, const ald_ray *r, ald_hit *hit, int fused)
-{
-	ald_prep prep;
-	vec c[3];
-
-	ald_ray_prep(&v->frame, r, &prep);
-	prim_triangle(v->level, hit->prim, c);
-	ald_exact_settle(&prep, c, hit, fused);
-}
-
-/* Products without rounding take one instruction more than others, or seventeen; the bits are the same. */
-#if defined __x86_64__ && defined __GNUC__
-__attribute__((target("fma"))) static void settle_fused(const struct view *v, const ald_ray *r, ald_hit *hit)
-{
-	settle(v, r, hit, 1);
-}
-#endif
-
-void view_settle(const struct view *v, const ald_ray *r, ald_hit *hit)
-{
-	if (!exact(v) || hit->prim >= v->prims.tri_count)
-		return;
-#if defined __x86_64__ && defined __GNUC__
-	if (__builtin_cpu_supports("fma")) {
-		settle_fused(v, r, hit);
-		return;
-	}
-#endif
-	settle(v, r, hit, 0);
-}
-
 void view_nearest(const struct view *v, struct worker *w, const ald_ray *r, ald_hit *hit)
 {
 	v->geometry->plugin->intersect(v->accel, &w->query[v - v->geometry->view].q, r, hit);
@@ -263,10 +232,10 @@ static void intersect_instance_n(const struct view *v, uint32_t id, ald_query *q
 			continue;
 		accel_nearest_n(g->plugin, g->view[p->level].accel, &w->query[p->level].q, w->inner_ray,
 				w->inner_hit, m, 0);
+		view_settle_n(&g->view[p->level], w->inner_ray, w->inner_hit, m);
 		for (uint32_t k = 0; k < m; k++) {
 			uint32_t at = w->slot[k];
 
-			view_settle(&g->view[p->level], &w->inner_ray[k], &w->inner_hit[k]);
 			if (too_near(v, &r[at], id, &w->inner_hit[k]))
 				view_intersect(&v->prims, id, q, &r[at], &hit[at]);
 			else

@@ -74,9 +74,8 @@ static uint32_t nearest_plane(const struct geometry *g, struct worker *w, ald_ra
 
 /* In exact order: planes, whose t are numbers, come before the triangles whose t is nearest to that number; so
  * what the ray has passed on its way to a plane at tmin is not to be met again. */
-static void settle(const struct geometry *g, struct worker *w, const ald_ray *asked, uint32_t i, ald_hit *hit)
+static void pass_planes(const struct geometry *g, struct worker *w, const ald_ray *asked, uint32_t i, ald_hit *hit)
 {
-	view_settle(&g->view[0], &w->ray[i], hit);
 	while (hit->prim != ALD_NONE && hit->t < asked->tmin) {
 		ald_ray next = w->ray[i];
 
@@ -105,8 +104,9 @@ void trace_nearest(const struct geometry *g, uint32_t thread, const ald_ray *ray
 			accel_nearest_n(g->plugin, g->view[0].accel, &w->query[0].q, w->ray, hit, m,
 					hints);
 		process_arithmetic(); /* which a plugin should not, but may change */
-		for (uint32_t i = 0; exact && i < m; i++)
-			settle(g, w, &rays[first + i], i, &hit[i]);
+		view_settle_n(&g->view[0], w->ray, hit, m);
+		for (uint32_t i = 0; exact && planes && i < m; i++)
+			pass_planes(g, w, &rays[first + i], i, &hit[i]);
 		for (uint32_t i = 0; planes && i < m; i++) {
 			if (w->plane[i] != ALD_NONE && hit[i].t >= w->ray[i].tmax)
 				hit[i] = (ald_hit){ .t = w->ray[i].tmax, .prim = w->plane[i] };

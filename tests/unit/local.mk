@@ -73,6 +73,11 @@ check_PROGRAMS += tests/unit/test_geometry
 tests_unit_test_geometry_SOURCES = tests/unit/test_geometry.c tests/unit/mesh_fixture.h tests/unit/world_fixture.h
 tests_unit_test_geometry_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_geometry_LDADD = $(UNIT_LIBS)
+check_PROGRAMS += tests/unit/test_settle
+tests_unit_test_settle_SOURCES = tests/unit/test_settle.c
+tests_unit_test_settle_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_settle_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_settle
 TESTS += tests/unit/test_trace tests/unit/test_kernel tests/unit/test_prim tests/unit/test_geometry
 endif
 

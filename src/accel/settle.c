@@ -134,7 +134,8 @@ static void lanes_set(struct lanes *s, unsigned i, const struct view *v, const a
 	}
 }
 
-static void lanes_get(const struct lanes *s, unsigned i, const struct view *v, const ald_ray *r, ald_hit *hit)
+static void lanes_get(const struct lanes *s, unsigned i, const struct view *v, const ald_ray *r,
+		      ald_hit *hit)
 {
 	ald_prep prep;
 	vec c[3];

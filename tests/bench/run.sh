@@ -7,6 +7,7 @@
 #	run.sh lecture [--runs N]              what the lecture counted, see lecture.py
 #	run.sh povray [--runs N] [--threads N] against POV-Ray, see povray.py
 #	run.sh indirect [--runs N] [--threads N] [--exact]  indirect light at POV-Ray's own error, see indirect.py
+#	run.sh rays [options] [ENGINE ...]     rays a second beside Embree, see rays.c
 #	run.sh precision [--runs N] [--size WxH] what exact answers cost and floats save, see precision.py
 set -u
 : "${ALIDADE_SRC:=$(cd "$(dirname "$0")/../.." && pwd)}"
@@ -19,6 +20,10 @@ which=${1:-both}
 python=python3
 case $which in
 lecture) ;;
+rays)
+	make -C "$ALIDADE_BUILD" -s tests/bench/rays || exit 1
+	exec "$ALIDADE_BUILD/tests/bench/rays" "$@"
+	;;
 precision)
 	make -C "$ALIDADE_BUILD" -s tests/bench/rays || exit 1
 	exec python3 "$ALIDADE_SRC/tests/bench/precision.py" "$@"
@@ -34,7 +39,7 @@ povray | both | indirect)
 	sh "$ALIDADE_SRC/scenes/export.sh" --missing --into "$ALIDADE_BUILD/scenes" $scene || exit 1
 	;;
 *)
-	echo "Usage: ./dev bench [lecture|povray|indirect|precision] [--runs N] [--threads N]" >&2
+	echo "Usage: ./dev bench [lecture|povray|indirect|precision|rays] [OPTIONS]" >&2
 	exit 2
 	;;
 esac

@@ -1,0 +1,46 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * What rays.c races over: meshes, where they are looked at from, and rays of five kinds. All numbers of meshes and
+ * rays are floats, so that those who calculate in floats answer the same question.
+ */
+#ifndef TESTS_BENCH_WORLDS_H
+#define TESTS_BENCH_WORLDS_H
+
+#include "../unit/rays.h"
+
+enum { CAMERA, SHADOW, BOUNCE, SHUFFLED, AO, KINDS };
+enum { BATCH = 1024 }; /* rays that are handed over in one call */
+extern const char *const kind_name[KINDS];
+extern const uint32_t kind_hints[KINDS]; /* ALD_COHERENT ... */
+static inline bool kind_any(unsigned k)
+{
+	return k == SHADOW || k == AO;
+}
+
+struct world {
+	char name[40];
+	struct mesh mesh;
+	ald_vec eye, at, light;
+	double wide; /* of the picture, at distance 1, half */
+	double share; /* of the rays asked for: 1, or less where rays are slow */
+};
+
+extern const char worlds_usual[], worlds_all[]; /* names, with commas */
+
+/* exits where it can't; false: there is no such name. */
+bool world_make(struct world *, const char *name);
+void world_release(struct world *);
+
+struct shots {
+	ald_ray *ray[KINDS];
+	uint32_t n[KINDS];
+};
+
+/* Camera rays, 32 x 32 pixels after another in blocks of 4 x 4; width: a multiple of 128. */
+void shots_camera(struct shots *, const struct world *, uint32_t width);
+/* What starts where these have hit. */
+void shots_second(struct shots *, const struct world *, const ald_hit *hit);
+void shots_release(struct shots *);
+
+#endif

@@ -44,7 +44,7 @@ void peer_close(struct peer *);
 /* hidden: NULL for nearest hits. n: at most 1024. Hits come with t and prim set to the ray's tmax and ALD_NONE. */
 void peer_fire(const struct peer *, struct peer_way, const ald_ray *, ald_hit *, uint8_t *hidden, uint32_t n,
 	       uint32_t hints);
-/* "embree16:isa=avx2:robust:high:splits=5:low:huge:coherent:incoherent", or embree1, 8, 1M, Np; false: none of these. */
+/* "embree16:isa=avx2:robust:high:splits=5:low:huge:coherent:incoherent", or embree1, 8, 1M, Np; false: none. */
 bool peer_parse(const char *name, struct peer_config *, struct peer_way *);
 void peer_name(const struct peer_config *, struct peer_way, char out[96]);
 

@@ -406,7 +406,8 @@ static enum status run_dry(struct run *run)
 
 	if (st)
 		return st;
-	require_text(run->scene, run->geometry, run->accel_text, &run->book, stdout);
+	require_text(run->scene, run->geometry, run->accel_text, &run->book,
+		     run->settings.verbosity > 0, stdout);
 	if (run->settings.verbosity > 0)
 		scene_dump(run->scene, SCENE_DUMP_PLACES, stdout);
 	return STATUS_OK;

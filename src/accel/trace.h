@@ -95,6 +95,7 @@ struct mesh_vertices {
 	uint32_t object; /* in the scene */
 	double loss; /* by how much floats would move a vertex, in world units or those of a shared mesh */
 	double size, offset; /* its extent, and how far from the origin it is, along an axis */
+	bool wide; /* in double: floats would move it, or what shares its level */
 };
 
 struct geometry_vertices {
@@ -103,7 +104,9 @@ struct geometry_vertices {
 	vec shift; /* the world's origin, that vertices are relative to */
 	struct mesh_vertices worst; /* by loss in relation to size; object SCENE_NONE: all are floats */
 };
-void geometry_get_vertices(const struct geometry *, struct geometry_vertices *);
+/* each, unless it is NULL, is told of every mesh, level by level, until it returns false. */
+typedef bool mesh_told(void *data, const struct mesh_vertices *);
+void geometry_get_vertices(const struct geometry *, struct geometry_vertices *, mesh_told *each, void *data);
 
 /* Compile the scene and build its accelerators. The scene must outlive the geometry. */
 enum status geometry_build(struct geometry **out, const struct scene *, const struct accel_choice *,

@@ -45,16 +45,18 @@ static uint32_t object_of(const struct prim_set *s, uint32_t level, uint32_t g)
 	return leaf == SCENE_NONE ? SCENE_NONE : s->leaf[leaf].object;
 }
 
-void geometry_get_vertices(const struct geometry *g, struct geometry_vertices *out)
+void geometry_get_vertices(const struct geometry *g, struct geometry_vertices *out, mesh_told *each, void *data)
 {
 	*out = (struct geometry_vertices){ .shift = g->set.level[0].shift, .worst = { .object = SCENE_NONE } };
 	for (uint32_t i = 0; i < g->set.level_count; i++) {
 		const struct prim_level *l = &g->set.level[i];
 
 		for (uint32_t k = 0; k < l->group_count && l->group_first[k] < l->tri_count; k++) {
-			struct mesh_vertices m = { .object = object_of(&g->set, i, k) };
+			struct mesh_vertices m = { .object = object_of(&g->set, i, k), .wide = l->vertex_double };
 
 			look_at_group(l, k, &m);
+			if (each && !each(data, &m))
+				return;
 			out->meshes++;
 			out->wide += l->vertex_double;
 			out->demanding += m.loss > 0;

@@ -77,28 +77,57 @@ static void print_lights(const struct scene *s, FILE *out)
 		point, spot, cylinder, parallel, area, shadowless);
 }
 
-/* Which numbers the vertices are kept in, and what decided it. */
-static void print_vertices(const struct scene *s, const struct geometry *g, FILE *out)
+#define MESHES_SHOWN 10
+
+struct mesh_list {
+	const struct scene *scene;
+	FILE *out;
+	uint64_t left; /* to be shown */
+};
+
+static bool print_mesh(void *data, const struct mesh_vertices *m)
 {
+	struct mesh_list *l = data;
+	const struct object *o = m->object == SCENE_NONE ? NULL : &l->scene->object[m->object];
+
+	fprintf(l->out, "    %s:%u: ", o && o->pos.file ? o->pos.file : "the scene", o ? o->pos.line : 0);
+	if (m->loss > 0)
+		fprintf(l->out, "double, floats would change it by %.2g of its size\n", m->loss / m->size);
+	else
+		fputs(m->wide ? "double, as others beside it need it\n" : "float, which loses nothing\n", l->out);
+	return --l->left > 0;
+}
+
+/* Which numbers the vertices are kept in, and what decided it. */
+static void print_vertices(const struct scene *s, const struct geometry *g, bool all, FILE *out)
+{
+	struct mesh_list list = { .scene = s, .out = out, .left = all ? UINT64_MAX : MESHES_SHOWN };
 	struct geometry_vertices v;
 	const struct object *o;
+	uint64_t more = 0;
 
-	geometry_get_vertices(g, &v);
+	geometry_get_vertices(g, &v, NULL, NULL);
 	fprintf(out, "  vertices of %" PRIu64 " mesh%s in double, of %" PRIu64 " in float, exactly\n", v.wide,
 		v.wide == 1 ? "" : "es", v.meshes - v.wide);
 	if (v.shift.x != 0 || v.shift.y != 0 || v.shift.z != 0)
 		fprintf(out, "  vertices are relative to <%.9g, %.9g, %.9g>, as the scene is far from the origin\n",
 			v.shift.x, v.shift.y, v.shift.z);
-	if (v.worst.object == SCENE_NONE)
-		return;
-	o = &s->object[v.worst.object];
-	fprintf(out, "  floats would change %" PRIu64 " of them, most the one in %s:%u, by %.2g of its size",
-		v.demanding, o->pos.file ? o->pos.file : "the scene", o->pos.line, v.worst.loss / v.worst.size);
-	fprintf(out, " (%.3g units; it is %.3g wide, %.3g off the origin)\n", v.worst.loss, v.worst.size,
-		v.worst.offset);
+	if (v.worst.object != SCENE_NONE) {
+		o = &s->object[v.worst.object];
+		fprintf(out, "  floats would change %" PRIu64 " of them, most the one in %s:%u, by %.2g of its size",
+			v.demanding, o->pos.file ? o->pos.file : "the scene", o->pos.line,
+			v.worst.loss / v.worst.size);
+		fprintf(out, " (%.3g units; it is %.3g wide, %.3g off the origin)\n", v.worst.loss, v.worst.size,
+			v.worst.offset);
+	}
+	if (!all && v.meshes > MESHES_SHOWN)
+		more = v.meshes - MESHES_SHOWN;
+	geometry_get_vertices(g, &v, print_mesh, &list);
+	if (more)
+		fprintf(out, "    and %" PRIu64 " more, which -v lists\n", more);
 }
 
-static void print_structure(const struct scene *s, const struct geometry *g, const char *accel, FILE *out)
+static void print_structure(const struct scene *s, const struct geometry *g, const char *accel, bool all, FILE *out)
 {
 	struct geometry_counts c = { 0 };
 
@@ -112,7 +141,7 @@ static void print_structure(const struct scene *s, const struct geometry *g, con
 		fprintf(out, "  extent %.6g %.6g %.6g to %.6g %.6g %.6g\n", c.box.lo.x, c.box.lo.y, c.box.lo.z,
 			c.box.hi.x, c.box.hi.y, c.box.hi.z);
 	if (c.triangles)
-		print_vertices(s, g, out);
+		print_vertices(s, g, all, out);
 }
 
 static void print_memory(const struct mem_book *book, FILE *out)
@@ -127,7 +156,7 @@ static void print_memory(const struct mem_book *book, FILE *out)
 }
 
 void require_text(const struct scene *s, const struct geometry *g, const char *accel,
-		  const struct mem_book *book, FILE *out)
+		  const struct mem_book *book, bool all, FILE *out)
 {
 	struct features f = { 0 };
 
@@ -150,6 +179,6 @@ void require_text(const struct scene *s, const struct geometry *g, const char *a
 	if (s->radiosity.given)
 		fprintf(out, "  indirect light of %u bounce%s\n", s->radiosity.recursion_limit,
 			s->radiosity.recursion_limit == 1 ? "" : "s");
-	print_structure(s, g, accel, out);
+	print_structure(s, g, accel, all, out);
 	print_memory(book, out);
 }

@@ -12,8 +12,8 @@
 #include "base/mem.h"
 #include "scene/scene.h"
 
-/* accel: as by accel_describe(). */
+/* accel: as by accel_describe(). all: every mesh, not the first ones only. */
 void require_text(const struct scene *, const struct geometry *, const char *accel, const struct mem_book *,
-		  FILE *out);
+		  bool all, FILE *out);
 
 #endif

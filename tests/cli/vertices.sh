@@ -39,6 +39,20 @@ says "all of it far from the origin: another origin, and floats" far.pov "  vert
 float, exactly
   vertices are relative to <16777216.6, 0, 0>, as the scene is far from the origin"
 
+each()
+{
+	is "$1" "$("$ALIDADE" -q --dry-run "$2" | sed -n 's/^    //p')" "$3"
+}
+
+each "of each mesh, what it is in and why: floats" near.pov "near.pov:3: float, which loses nothing
+near.pov:4: float, which loses nothing"
+each "of each mesh, what it is in and why: doubles" tenth.pov "tenth.pov:3: double, as others beside it need it
+tenth.pov:4: double, floats would change it by 2.4e-08 of its size
+tenth.pov:5: double, as others beside it need it"
+scene many.pov "#for (I, 1, 12)" "$triangle translate I }" "#end"
+is "of twelve the first ten" "$("$ALIDADE" -q --dry-run many.pov | grep -c '^    many.pov:4: float, which')" 10
+is "with -v all" "$("$ALIDADE" -v --dry-run many.pov 2>&1 | grep -c '^    many.pov:4: float, which')" 12
+
 scene none.pov "sphere { 0, 1 }"
 says "no mesh" none.pov ""
 tap_done

@@ -49,7 +49,7 @@ static bool shape_holds(const struct probe *q, const struct prim *p, uint32_t le
 	}
 	for (uint32_t i = 0; i < roots.count; i++)
 		crossed += before(q, roots.t[i], leaf);
-	return crossed & 1;
+	return (crossed & 1) != roots.begins;
 }
 
 static bool leaf_holds(const struct probe *q, uint32_t i)

@@ -203,6 +203,7 @@ void surface_at(const struct geometry *g, const ald_ray *ray, const ald_hit *hit
 	const struct prim_leaf *f;
 	const struct prim_instance *in;
 	uint32_t leaf, face = 0, id = hit->prim;
+	const struct prim_unbounded *unbounded;
 	const struct prim *body = NULL;
 	bool mesh = false;
 	struct place at;
@@ -212,8 +213,12 @@ void surface_at(const struct geometry *g, const ald_ray *ray, const ald_hit *hit
 	if (id >= l->count) {
 		leaf = g->set.unbounded[id - l->count].leaf;
 		level_ray(l, ray, &r);
-		plane_surface(&g->set.unbounded[id - l->count].plane, &r, hit, &at.p, &at.n, &at.error);
-		s->planar = true;
+		unbounded = &g->set.unbounded[id - l->count];
+		s->planar = unbounded->prim == SCENE_NONE;
+		if (s->planar)
+			plane_surface(&unbounded->plane, &r, hit, &at.p, &at.n, &at.error);
+		else
+			prim_surface(&l->prim[unbounded->prim], &r, hit, &at.p, &at.n, &at.error);
 	} else {
 		leaf = view_leaf(l, id, &face);
 		switch (prim_level_id(l, &id)) {

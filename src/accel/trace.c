@@ -37,6 +37,33 @@ static void enter_level(const struct prim_level *l, const ald_ray *in, ald_ray *
 		kill_ray(out);
 }
 
+static bool shows_at(const struct geometry *g, struct worker *w, const struct prim_unbounded *u, uint32_t id,
+		     bool past, const ald_ray *r, double t, ald_hit *h)
+{
+	if ((past && t == r->tmin) || !ald_counts(r, t, id, h) ||
+	    (u->node != SCENE_NONE && !csg_shows(&g->view[0], w, u->node, r, t)))
+		return false;
+	h->t = t;
+	return true;
+}
+
+/* Where the ray first meets what has no bounds, if that counts. */
+static bool meets(const struct geometry *g, struct worker *w, const struct prim_unbounded *u, uint32_t id, bool past,
+		  const ald_ray *r, ald_hit *h)
+{
+	struct prim_roots roots;
+	double t;
+
+	if (u->prim == SCENE_NONE)
+		return plane_intersect(&u->plane, r, &t) && shows_at(g, w, u, id, past, r, t, h);
+	prim_crossings(&g->set.level[0].prim[u->prim], r, &roots);
+	for (uint32_t i = 0; i < roots.count; i++) {
+		if (isfinite(roots.t[i]) && shows_at(g, w, u, id, past, r, roots.t[i], h))
+			return true;
+	}
+	return false;
+}
+
 /* The nearest plane: it becomes the ray's tmax, so that the accelerator looks no further. Of what is met
  * at the same t planes come first, as in POV-Ray: a glass box that stands on a floor shows the floor. The
  * ray is left to ask for primitives in that order. */
@@ -45,7 +72,6 @@ static uint32_t nearest_plane(const struct geometry *g, struct worker *w, ald_ra
 	uint32_t count = g->set.level[0].count, best = ALD_NONE;
 	bool past = r->after < count; /* all planes at tmin have had their turn */
 	ald_hit h = { .t = r->tmax, .prim = ALD_NONE };
-	double t;
 
 	for (uint32_t i = 0; i < g->set.unbounded_count; i++) {
 		const struct prim_unbounded *u = &g->set.unbounded[i];
@@ -55,13 +81,8 @@ static uint32_t nearest_plane(const struct geometry *g, struct worker *w, ald_ra
 			continue;
 		if (w->query[0].q.count)
 			w->count[ALD_COUNT_PRIMS]++;
-		if (!plane_intersect(&u->plane, r, &t) || (past && t == r->tmin) ||
-		    !ald_counts(r, t, id, &h))
-			continue;
-		if (u->node != SCENE_NONE && !csg_shows(&g->view[0], w, u->node, r, t))
-			continue;
-		h.t = t;
-		h.prim = best = id;
+		if (meets(g, w, u, id, past, r, &h))
+			h.prim = best = id;
 	}
 	if (best != ALD_NONE)
 		r->tmax = h.t;

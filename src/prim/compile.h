@@ -100,6 +100,7 @@ static inline enum prim_id prim_level_id(const struct prim_level *l, uint32_t *i
 
 struct prim_unbounded {
 	struct prim_plane plane;
+	uint32_t prim; /* of level 0; SCENE_NONE: a plane */
 	uint32_t leaf, mask, node;
 };
 

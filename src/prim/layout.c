@@ -16,6 +16,12 @@ static bool is_bounded(enum shape_kind k)
 	       k == SHAPE_TORUS || k == SHAPE_SUPERELLIPSOID;
 }
 
+/* Without bounds, but where constructive solid geometry gives it some. */
+static bool is_infinite(enum shape_kind k)
+{
+	return k == SHAPE_PLANE || k == SHAPE_ALGEBRAIC;
+}
+
 static unsigned leaf_mask(unsigned flags)
 {
 	unsigned m = PRIM_OTHER;
@@ -278,6 +284,9 @@ static void count_world(struct prim_set *s, struct sums *n)
 		} else if (f->kind == SHAPE_PLANE) {
 			n->planes++;
 			n->prims += f->node != SCENE_NONE;
+		} else if (is_infinite(f->kind)) {
+			n->planes++;
+			n->prims++;
 		}
 	}
 }
@@ -378,8 +387,15 @@ static bool make_solid(const struct prim_set *s, const struct prim_level *l, con
 		       struct prim *p)
 {
 	const struct object *o = &s->scene->object[f->object];
-	bool ok = f->kind == SHAPE_PLANE ? prim_make_plane(p, o, &f->place, l->shift, l->scale) :
-					   prim_make(p, o, &f->place, l->shift, l->scale, l->size, l->pad);
+	bool ok;
+
+	if (f->kind == SHAPE_PLANE)
+		ok = prim_make_plane(p, o, &f->place, l->shift, l->scale);
+	else if (f->kind == SHAPE_ALGEBRAIC)
+		ok = prim_make_algebraic(p, &s->scene->algebraic[o->shape.algebraic], &f->place, l->shift,
+					 l->scale);
+	else
+		ok = prim_make(p, o, &f->place, l->shift, l->scale, l->size, l->pad);
 
 	p->node = f->node;
 	return ok;
@@ -389,7 +405,7 @@ static bool make_solid(const struct prim_set *s, const struct prim_level *l, con
 static bool is_visible(const struct prim_set *s, const struct prim_leaf *f)
 {
 	return f->node == SCENE_NONE ? is_bounded(f->kind) :
-				       (is_bounded(f->kind) || f->kind == SHAPE_PLANE) && !f->cut &&
+				       (is_bounded(f->kind) || is_infinite(f->kind)) && !f->cut &&
 					       box_is_sound(&csg_at(&s->csg, f->node)->clip);
 }
 
@@ -495,19 +511,28 @@ static void add_instance(struct prim_set *s, struct prim_level *l, uint32_t leaf
 	ald_box_join(&l->box, &p->box);
 }
 
-static void add_plane(struct prim_set *s, const struct prim_level *l, uint32_t leaf)
+/* What no box holds; but for a plane it is one of the primitives that have no ids as well. */
+static void add_unbounded(struct prim_set *s, struct prim_level *l, uint32_t leaf)
 {
 	const struct prim_leaf *f = &s->leaf[leaf];
 	struct prim_unbounded *p = &s->unbounded[s->unbounded_count];
 
-	if (!plane_make(&p->plane, &s->scene->object[f->object], &f->place, l->shift, l->scale)) {
+	if (f->kind == SHAPE_PLANE ?
+		    !plane_make(&p->plane, &s->scene->object[f->object], &f->place, l->shift, l->scale) :
+		    !make_solid(s, l, f, &l->prim[l->prim_count + l->hidden_prims])) {
 		prim_drop(s, leaf, 1, 0);
 		return;
 	}
 	p->leaf = leaf;
+	p->prim = SCENE_NONE;
 	p->node = f->node;
 	p->mask = solid_mask(s, f);
-	s->leaf[leaf].item = s->unbounded_count++;
+	if (f->kind == SHAPE_PLANE) {
+		s->leaf[leaf].item = s->unbounded_count++;
+		return;
+	}
+	p->prim = s->leaf[leaf].item = l->prim_count + l->hidden_prims++;
+	s->unbounded_count++;
 }
 
 static enum status bake_world(struct prim_set *s, struct prim_level *l, struct diag *diag)
@@ -561,14 +586,19 @@ static enum status add_solids(struct prim_set *s, struct prim_level *l, struct d
 	for (uint32_t i = 0; i < s->leaf_count; i++) {
 		if (is_visible(s, &s->leaf[i]))
 			add_prim(s, l, i);
-		else if (s->leaf[i].kind == SHAPE_PLANE && !is_cut_off(s, &s->leaf[i]))
-			add_plane(s, l, i);
+	}
+	for (uint32_t i = 0; i < s->leaf_count; i++) {
+		if (is_infinite(s->leaf[i].kind) && !is_visible(s, &s->leaf[i]) &&
+		    !is_cut_off(s, &s->leaf[i]))
+			add_unbounded(s, l, i);
 	}
 	for (uint32_t i = 0; i < s->leaf_count && s->csg.node.count; i++) {
 		const struct prim_leaf *f = &s->leaf[i];
 		bool open = f->kind == SHAPE_CONE && s->scene->object[f->object].shape.cone.open;
 
-		if (f->node != SCENE_NONE && (is_bounded(f->kind) || f->kind == SHAPE_PLANE) &&
+		bool held = f->kind == SHAPE_ALGEBRAIC && f->item != SCENE_NONE;
+
+		if (f->node != SCENE_NONE && (is_bounded(f->kind) || is_infinite(f->kind)) && !held &&
 		    (open || !is_visible(s, f)))
 			add_hidden(s, l, i);
 	}

@@ -1,4 +1,5 @@
 src_libalidade_la_SOURCES += \
+	src/prim/algebraic.c \
 	src/prim/blob.c \
 	src/prim/body.c src/prim/body.h \
 	src/prim/box.c \

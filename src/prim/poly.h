@@ -11,7 +11,7 @@
 #ifndef ALIDADE_PRIM_POLY_H
 #define ALIDADE_PRIM_POLY_H
 
-#define POLY_DEGREE 10
+#define POLY_DEGREE 35
 
 /* c[i] is of x^i; 0 counts as positive. Ascending; how many, at most n. */
 unsigned poly_roots(const double *c, unsigned n, double lo, double hi, double *root);

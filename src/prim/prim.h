@@ -15,7 +15,7 @@
 #include "base/vec.h"
 #include "scene/scene.h"
 
-#define PRIM_ROOTS 4
+#define PRIM_ROOTS SCENE_ALGEBRAIC_DEGREE
 
 struct prim {
 	enum shape_kind kind;
@@ -30,7 +30,7 @@ struct prim {
 	double side[6]; /* like prim_plane.d, where these are: a box's faces along the columns of to, which
 			   are unit; a cone's ends; a disc */
 	ald_box box; /* grown, as the accelerator sees it; a body has none */
-	const void *data; /* of a body, see body.h */
+	const void *data; /* of a body, see body.h; an algebraic surface's polynomial */
 	uint32_t node; /* in constructive solid geometry, see csg.h; SCENE_NONE: all of the surface shows */
 };
 
@@ -43,6 +43,7 @@ struct prim_line {
 /* Where a line meets a primitive, in order; t may be infinite or NaN, which never counts. */
 struct prim_roots {
 	uint32_t count;
+	bool begins; /* the line comes from within, which is so for infinite shapes only */
 	double t[PRIM_ROOTS];
 	uint32_t part[PRIM_ROOTS];
 };
@@ -67,7 +68,7 @@ struct prim_ops {
 void box_crossings(const struct prim *, const ald_ray *, struct prim_roots *);
 
 extern const struct prim_ops prim_sphere_ops, prim_box_ops, prim_cone_ops, prim_disc_ops, prim_torus_ops,
-	prim_plane_ops, prim_superellipsoid_ops;
+	prim_plane_ops, prim_superellipsoid_ops, prim_algebraic_ops;
 
 /* Set up from a scene object and its accumulated transform; level = (world - shift) * scale. False: it
  * has no extent, or something is not finite. Grows the box by pad and by what the map's rounding can
@@ -79,6 +80,9 @@ bool prim_make(struct prim *, const struct object *, const struct xform *place, 
  * to bound. */
 bool prim_make_plane(struct prim *, const struct object *, const struct xform *place, vec shift,
 		     double scale);
+/* The same of an algebraic surface. */
+bool prim_make_algebraic(struct prim *, const struct algebraic *, const struct xform *place, vec shift,
+			 double scale);
 
 /* Where the whole line meets the primitive, by t, before the box holds them (prim_clamp()). */
 void prim_crossings(const struct prim *, const ald_ray *, struct prim_roots *);

@@ -12,6 +12,7 @@ static const struct prim_ops *ops_of(const struct prim *p)
 		[SHAPE_CONE] = &prim_cone_ops,	   [SHAPE_DISC] = &prim_disc_ops,
 		[SHAPE_SUPERELLIPSOID] = &prim_superellipsoid_ops,
 		[SHAPE_TORUS] = &prim_torus_ops, [SHAPE_PLANE] = &prim_plane_ops,
+		[SHAPE_ALGEBRAIC] = &prim_algebraic_ops,
 	};
 
 	return ops[p->kind];
@@ -239,6 +240,7 @@ void prim_crossings(const struct prim *p, const ald_ray *r, struct prim_roots *r
 	struct prim_line l;
 
 	roots->count = 0;
+	roots->begins = false;
 	if (p->kind == SHAPE_BOX) {
 		box_crossings(p, r, roots);
 		return;

@@ -4,6 +4,7 @@ src_libalidade_la_SOURCES += \
 	src/read/limits.c src/read/limits.h \
 	src/read/pictures.c src/read/pictures.h \
 	src/read/read.c src/read/read.h \
+	src/read/pov/algebraic.c \
 	src/read/pov/ask.c \
 	src/read/pov/atmosphere.c \
 	src/read/pov/blob.c \

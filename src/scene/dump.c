@@ -242,6 +242,9 @@ static void dump_shape(const struct object *o, FILE *to)
 		put_word(to, "superellipsoid", o->shape.superellipsoid.a);
 		put_word(to, "by", o->shape.superellipsoid.b);
 		break;
+	case SHAPE_ALGEBRAIC:
+		fprintf(to, " algebraic %u", o->shape.algebraic);
+		break;
 	case SHAPE_SWEEP:
 		fprintf(to, " sweep %u", o->shape.sweep);
 		break;

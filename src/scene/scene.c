@@ -69,6 +69,7 @@ void scene_release(struct scene *s)
 	mem_free(s->lathe);
 	mem_free(s->prism);
 	mem_free(s->isosurface);
+	mem_free(s->algebraic);
 	mem_free(s->object);
 	arena_release(&s->arena);
 }
@@ -260,6 +261,21 @@ uint32_t scene_add_isosurface(struct scene *s, const struct isosurface *iso)
 	s->isosurface = p;
 	if (i != SCENE_NONE)
 		s->isosurface[i] = *iso;
+	return i;
+}
+
+uint32_t scene_add_algebraic(struct scene *s, uint32_t degree)
+{
+	double *term = arena_zalloc(&s->arena, algebraic_terms(degree) * sizeof(*term));
+	void *p = s->algebraic;
+	uint32_t i;
+
+	if (!term)
+		return SCENE_NONE;
+	i = grow(s, &p, &s->algebraic_count, &s->algebraic_room, sizeof(*s->algebraic));
+	s->algebraic = p;
+	if (i != SCENE_NONE)
+		s->algebraic[i] = (struct algebraic){ degree, 1, term };
 	return i;
 }
 
@@ -480,6 +496,12 @@ static uint64_t hash_shapes(uint64_t h, const struct scene *s)
 		h = HASH(h, s->number_of_waves);
 		h = hash_textures(h, s);
 	}
+	for (uint32_t i = 0; i < s->algebraic_count; i++) {
+		const struct algebraic *f = &s->algebraic[i];
+
+		h = HASH(HASH(h, f->degree), f->size);
+		h = hash_words(h, f->term, algebraic_terms(f->degree) * sizeof(*f->term));
+	}
 	for (uint32_t i = 0; i < s->blob_count; i++)
 		h = hash_blob(h, &s->blob[i]);
 	for (uint32_t i = 0; i < s->object_count; i++)
@@ -585,7 +607,7 @@ const char *shape_name(enum shape_kind kind)
 		[SHAPE_CONE] = "cone or cylinder", [SHAPE_PLANE] = "plane", [SHAPE_DISC] = "disc",
 		[SHAPE_TORUS] = "torus", [SHAPE_SUPERELLIPSOID] = "superellipsoid",
 		[SHAPE_SWEEP] = "sphere_sweep", [SHAPE_BLOB] = "blob", [SHAPE_LATHE] = "lathe",
-		[SHAPE_PRISM] = "prism",
+		[SHAPE_PRISM] = "prism", [SHAPE_ALGEBRAIC] = "polynomial surface",
 		[SHAPE_ISOSURFACE] = "isosurface",
 		[SHAPE_UNION] = "union", [SHAPE_MERGE] = "merge",
 		[SHAPE_INTERSECTION] = "intersection",

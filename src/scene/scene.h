@@ -176,6 +176,21 @@ struct isosurface {
 	vec lo, hi; /* lo < hi */
 };
 
+#define SCENE_ALGEBRAIC_DEGREE 35
+
+/* Where a polynomial of x, y and z is 0; less is inside. Terms x^i y^j z^k of coordinates in units of size, by
+ * falling i, then j, then k: the language's order. */
+struct algebraic {
+	uint32_t degree; /* at least 1 */
+	double size; /* a power of two */
+	double *term; /* [algebraic_terms(degree)]; in the arena */
+};
+
+static inline uint32_t algebraic_terms(uint32_t degree)
+{
+	return (degree + 1) * (degree + 2) * (degree + 3) / 6;
+}
+
 enum shape_kind {
 	SHAPE_MESH,
 	SHAPE_SPHERE,
@@ -185,6 +200,7 @@ enum shape_kind {
 	SHAPE_DISC,
 	SHAPE_TORUS,
 	SHAPE_SUPERELLIPSOID,
+	SHAPE_ALGEBRAIC,
 	SHAPE_SWEEP,
 	SHAPE_BLOB,
 	SHAPE_LATHE,
@@ -224,7 +240,7 @@ struct object {
 	uint32_t first_clip; /* clipped_by: chained siblings, in the parent's coordinates; only what lies in
 				all of them is there */
 	union {
-		uint32_t mesh, sweep, blob, isosurface;
+		uint32_t mesh, sweep, blob, isosurface, algebraic;
 		struct {
 			vec centre;
 			double radius;
@@ -356,6 +372,8 @@ struct scene {
 	struct prism *prism;
 	uint32_t isosurface_count, isosurface_room;
 	struct isosurface *isosurface;
+	uint32_t algebraic_count, algebraic_room;
+	struct algebraic *algebraic;
 	uint32_t blob_count, blob_room;
 	struct blob *blob;
 	uint32_t object_count, object_room;
@@ -380,6 +398,7 @@ uint32_t scene_add_sweep(struct scene *, uint32_t points);
 uint32_t scene_add_lathe(struct scene *, uint32_t points);
 uint32_t scene_add_prism(struct scene *, uint32_t points);
 uint32_t scene_add_isosurface(struct scene *, const struct isosurface *);
+uint32_t scene_add_algebraic(struct scene *, uint32_t degree);
 uint32_t scene_add_blob(struct scene *, uint32_t parts);
 uint32_t scene_add_object(struct scene *);
 struct picture *scene_add_picture(struct scene *);

@@ -65,6 +65,10 @@ check_PROGRAMS += tests/unit/test_kernel
 tests_unit_test_kernel_SOURCES = tests/unit/test_kernel.c tests/unit/mesh_fixture.h tests/unit/world_fixture.h
 tests_unit_test_kernel_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_kernel_LDADD = $(UNIT_LIBS)
+check_PROGRAMS += tests/unit/test_algebraic
+tests_unit_test_algebraic_SOURCES = tests/unit/test_algebraic.c tests/unit/world_fixture.h
+tests_unit_test_algebraic_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_algebraic_LDADD = $(UNIT_LIBS)
 check_PROGRAMS += tests/unit/test_prim
 tests_unit_test_prim_SOURCES = tests/unit/test_prim.c tests/unit/world_fixture.h
 tests_unit_test_prim_CPPFLAGS = $(UNIT_CPPFLAGS)
@@ -77,7 +81,7 @@ check_PROGRAMS += tests/unit/test_settle
 tests_unit_test_settle_SOURCES = tests/unit/test_settle.c
 tests_unit_test_settle_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_settle_LDADD = $(UNIT_LIBS)
-TESTS += tests/unit/test_settle
+TESTS += tests/unit/test_settle tests/unit/test_algebraic
 TESTS += tests/unit/test_trace tests/unit/test_kernel tests/unit/test_prim tests/unit/test_geometry
 endif
 

@@ -106,6 +106,19 @@ static uint32_t some_isosurface(struct world *w)
 	return scene_add_isosurface(&w->scene, &iso);
 }
 
+/* x^2 - y^2 z + z = 0.2. */
+static uint32_t some_algebraic(struct world *w)
+{
+	uint32_t i = scene_add_algebraic(&w->scene, 3);
+	double *term = w->scene.algebraic[i].term;
+
+	term[3 + 1 + 2] = 1; /* x^3 and its like come first: x^2 y, x^2 z, x^2 */
+	term[11] = -1;
+	term[18] = 1;
+	term[19] = -0.2;
+	return i;
+}
+
 static uint32_t some_blob(struct world *w, uint64_t *seed)
 {
 	uint32_t i = scene_add_blob(&w->scene, 5);
@@ -164,6 +177,8 @@ static void crowd(struct world *w, double size)
 			o->shape.prism.index = some_prism(w, i & 16 ? LATHE_CUBIC : LATHE_LINEAR, &seed);
 		if (kind == SHAPE_ISOSURFACE)
 			o->shape.isosurface = some_isosurface(w);
+		if (kind == SHAPE_ALGEBRAIC)
+			o->shape.algebraic = some_algebraic(w);
 		if (kind == SHAPE_BLOB)
 			o->shape.blob = some_blob(w, &seed);
 		if (kind == SHAPE_SWEEP)

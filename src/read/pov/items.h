@@ -226,6 +226,11 @@ void pov_read_lathe(struct pov *, struct object *);
 bool pov_read_flat_point(struct pov *, struct buf *, const char *what, struct diag_pos *at);
 void pov_read_prism(struct pov *, struct object *);
 void pov_read_isosurface(struct pov *, struct object *);
+void pov_read_quadric(struct pov *, struct object *);
+void pov_read_cubic(struct pov *, struct object *);
+void pov_read_quartic(struct pov *, struct object *);
+void pov_read_poly(struct pov *, struct object *);
+void pov_read_polynomial(struct pov *, struct object *);
 struct pov_object *pov_read_blob(struct pov *, struct pov_object *);
 /* Any object; not one: NULL and nothing read, or after an error. */
 struct pov_object *pov_read_object(struct pov *);

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/json.h"
+#include "base/json_write.h"
 #include "base/options.h"
 #include "base/process.h"
 #include "image/diff.h"
@@ -250,22 +250,22 @@ static int report(const struct settings *s, const struct diff_result *r, char **
 		  struct diag *diag)
 {
 	struct image_out out;
-	struct json json;
+	struct json_writer json;
 
 	if (s->want_json && s->json) {
 		if (image_out_open(&out, s->json, ".json", diag))
 			return EXIT_FILE;
-		json_init(&json, out.file, JSON_INDENT);
+		jw_init(&json, out.file, JW_INDENT);
 		diff_json(r, &s->diff, name[0], name[1], &json);
-		(void)json_finish(&json); /* a failed stream is found below */
+		(void)jw_finish(&json); /* a failed stream is found below */
 		if (image_out_finish(&out))
 			return EXIT_FILE;
 	}
 	errno = 0;
 	if (s->want_json && !s->json) {
-		json_init(&json, stdout, JSON_INDENT);
+		jw_init(&json, stdout, JW_INDENT);
 		diff_json(r, &s->diff, name[0], name[1], &json);
-		if (!json_finish(&json))
+		if (!jw_finish(&json))
 			return file_failed("standard output");
 	} else if (!s->quiet) {
 		diff_print(r, &s->diff, name[0], name[1], stdout);

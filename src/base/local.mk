@@ -5,8 +5,7 @@ src_libalidade_la_SOURCES += \
 	src/base/complete.c \
 	src/base/diag.c src/base/diag.h \
 	src/base/interrupt.c src/base/interrupt.h \
-	src/base/json.c src/base/json.h \
-	src/base/json_read.c src/base/json_read.h \
+	src/base/json_write.c src/base/json_write.h \
 	src/base/mem.c src/base/mem.h \
 	src/base/options.c src/base/options.h \
 	src/base/pool.c src/base/pool.h \

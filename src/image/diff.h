@@ -12,7 +12,7 @@
 
 #include <stdio.h>
 
-#include "base/json.h"
+#include "base/json_write.h"
 #include "image/image.h"
 
 enum diff_space {
@@ -69,8 +69,8 @@ enum status image_diff(const struct image *a, const struct image *b, const struc
 
 void diff_print(const struct diff_result *, const struct diff_options *, const char *a,
 		const char *b, FILE *);
-/* One object; ended by the caller's json_finish(). */
+/* One object; ended by the caller's jw_finish(). */
 void diff_json(const struct diff_result *, const struct diff_options *, const char *a,
-	       const char *b, struct json *);
+	       const char *b, struct json_writer *);
 
 #endif

@@ -78,78 +78,78 @@ void diff_print(const struct diff_result *r, const struct diff_options *o, const
 		fprintf(out, "%s\n", word[r->verdict]);
 }
 
-static void json_threshold(struct json *j, const char *key, double value)
+static void json_threshold(struct json_writer *j, const char *key, double value)
 {
 	if (isfinite(value))
-		json_double(j, key, value);
+		jw_double(j, key, value);
 }
 
-static void json_thresholds(const struct diff_options *o, struct json *j)
+static void json_thresholds(const struct diff_options *o, struct json_writer *j)
 {
-	json_object(j, "thresholds");
-	json_double(j, "fail", o->fail);
-	json_double(j, "fail_percent", o->fail_percent);
-	json_double(j, "warn", o->warn);
-	json_double(j, "warn_percent", o->warn_percent);
-	json_uint(j, "allow_failures", o->allow_failures);
-	json_bool(j, "allow_nonfinite", o->allow_nonfinite);
+	jw_object(j, "thresholds");
+	jw_double(j, "fail", o->fail);
+	jw_double(j, "fail_percent", o->fail_percent);
+	jw_double(j, "warn", o->warn);
+	jw_double(j, "warn_percent", o->warn_percent);
+	jw_uint(j, "allow_failures", o->allow_failures);
+	jw_bool(j, "allow_nonfinite", o->allow_nonfinite);
 	json_threshold(j, "hard_fail", o->hard_fail);
 	json_threshold(j, "hard_warn", o->hard_warn);
 	json_threshold(j, "max_rmse", o->max_rms);
 	json_threshold(j, "max_mean", o->max_mean);
 	json_threshold(j, "max_p99", o->max_p99);
-	json_end(j);
+	jw_end(j);
 }
 
-static void json_figures(const struct diff_result *r, struct json *j)
+static void json_figures(const struct diff_result *r, struct json_writer *j)
 {
-	json_uint(j, "width", r->width);
-	json_uint(j, "height", r->height);
-	json_string(j, "space", space_name(r));
-	json_double(j, "mean_error", r->mean);
-	json_double(j, "rmse", r->rms);
-	json_double(j, "psnr", r->psnr);
-	json_double(j, "p99", r->p99);
-	json_double(j, "max", r->max);
-	json_object(j, "max_at");
-	json_uint(j, "x", r->max_x);
-	json_uint(j, "y", r->max_y);
-	json_string(j, "channel", r->name[r->max_channel]);
-	json_double(j, "a", r->max_sample[0]);
-	json_double(j, "b", r->max_sample[1]);
-	json_end(j);
-	json_array(j, "channels");
+	jw_uint(j, "width", r->width);
+	jw_uint(j, "height", r->height);
+	jw_string(j, "space", space_name(r));
+	jw_double(j, "mean_error", r->mean);
+	jw_double(j, "rmse", r->rms);
+	jw_double(j, "psnr", r->psnr);
+	jw_double(j, "p99", r->p99);
+	jw_double(j, "max", r->max);
+	jw_object(j, "max_at");
+	jw_uint(j, "x", r->max_x);
+	jw_uint(j, "y", r->max_y);
+	jw_string(j, "channel", r->name[r->max_channel]);
+	jw_double(j, "a", r->max_sample[0]);
+	jw_double(j, "b", r->max_sample[1]);
+	jw_end(j);
+	jw_array(j, "channels");
 	for (uint32_t i = 0; i < r->channels; i++) {
-		json_object(j, NULL);
-		json_string(j, "name", r->name[i]);
-		json_double(j, "mean_error", r->channel_mean[i]);
-		json_double(j, "rmse", r->channel_rms[i]);
-		json_double(j, "max", r->channel_max[i]);
-		json_end(j);
+		jw_object(j, NULL);
+		jw_string(j, "name", r->name[i]);
+		jw_double(j, "mean_error", r->channel_mean[i]);
+		jw_double(j, "rmse", r->channel_rms[i]);
+		jw_double(j, "max", r->channel_max[i]);
+		jw_end(j);
 	}
-	json_end(j);
-	json_uint(j, "over_fail", r->over_fail);
-	json_uint(j, "over_warn", r->over_warn);
-	json_uint(j, "nonfinite_a", r->nonfinite[0]);
-	json_uint(j, "nonfinite_b", r->nonfinite[1]);
-	json_uint(j, "nonfinite_any", r->nonfinite_any);
-	json_uint(j, "nonfinite_unlike", r->nonfinite_unlike);
+	jw_end(j);
+	jw_uint(j, "over_fail", r->over_fail);
+	jw_uint(j, "over_warn", r->over_warn);
+	jw_uint(j, "nonfinite_a", r->nonfinite[0]);
+	jw_uint(j, "nonfinite_b", r->nonfinite[1]);
+	jw_uint(j, "nonfinite_any", r->nonfinite_any);
+	jw_uint(j, "nonfinite_unlike", r->nonfinite_unlike);
 }
 
 void diff_json(const struct diff_result *r, const struct diff_options *o, const char *a,
-	       const char *b, struct json *j)
+	       const char *b, struct json_writer *j)
 {
-	json_object(j, NULL);
-	json_string(j, "a", a);
-	json_string(j, "b", b);
-	json_string(j, "verdict", verdict_name[r->verdict]);
-	json_array(j, "reasons");
+	jw_object(j, NULL);
+	jw_string(j, "a", a);
+	jw_string(j, "b", b);
+	jw_string(j, "verdict", verdict_name[r->verdict]);
+	jw_array(j, "reasons");
 	for (uint32_t i = 0; i < r->reasons; i++)
-		json_string(j, NULL, r->reason[i]);
-	json_end(j);
-	json_uint(j, "pixels", r->pixels);
+		jw_string(j, NULL, r->reason[i]);
+	jw_end(j);
+	jw_uint(j, "pixels", r->pixels);
 	if (r->verdict != DIFF_UNLIKE)
 		json_figures(r, j);
 	json_thresholds(o, j);
-	json_end(j);
+	jw_end(j);
 }

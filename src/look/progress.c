@@ -13,7 +13,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "base/json.h"
+#include "base/json_write.h"
 
 #define BAR_EVERY 0.1 /* seconds between two pictures of the bar */
 #define LINE_EVERY 10.0
@@ -139,26 +139,26 @@ static double microseconds(double seconds)
 static void show_json(struct progress *p, const char *kind, uint64_t done, uint64_t total, double now)
 {
 	double left = time_left(p, done, total, now);
-	struct json j;
+	struct json_writer j;
 
-	json_init(&j, p->out, JSON_LINE);
-	json_object(&j, NULL);
-	json_string(&j, "kind", kind);
-	json_string(&j, "phase", p->phase);
+	jw_init(&j, p->out, JW_LINE);
+	jw_object(&j, NULL);
+	jw_string(&j, "kind", kind);
+	jw_string(&j, "phase", p->phase);
 	if (p->count) {
-		json_uint(&j, "frame", p->frame);
-		json_uint(&j, "frame_index", p->index);
-		json_uint(&j, "frame_count", p->count);
+		jw_uint(&j, "frame", p->frame);
+		jw_uint(&j, "frame_index", p->index);
+		jw_uint(&j, "frame_count", p->count);
 	}
 	if (total) {
-		json_uint(&j, "done", done);
-		json_uint(&j, "total", total);
+		jw_uint(&j, "done", done);
+		jw_uint(&j, "total", total);
 	}
-	json_double(&j, "elapsed", microseconds(now - p->began));
+	jw_double(&j, "elapsed", microseconds(now - p->began));
 	if (left >= 0 && total)
-		json_double(&j, "eta", microseconds(left));
-	json_end(&j);
-	json_finish(&j);
+		jw_double(&j, "eta", microseconds(left));
+	jw_end(&j);
+	jw_finish(&j);
 	p->shown = now;
 }
 

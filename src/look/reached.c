@@ -74,27 +74,27 @@ void reached_text(const struct render_reached *r, double seconds, char *out, siz
 	put_again(&t, r);
 }
 
-void reached_json(struct json *j, const struct render_reached *r)
+void reached_json(struct json_writer *j, const struct render_reached *r)
 {
-	json_object(j, "budget");
-	json_bool(j, "missed", r->missed);
-	json_double(j, "noise_asked", r->noise_asked);
-	json_double(j, "seconds_asked", r->seconds_asked);
+	jw_object(j, "budget");
+	jw_bool(j, "missed", r->missed);
+	jw_double(j, "noise_asked", r->noise_asked);
+	jw_double(j, "seconds_asked", r->seconds_asked);
 	if (r->noise >= 0) {
-		json_double(j, "noise", r->noise);
-		json_double(j, "noise_below", r->bound);
+		jw_double(j, "noise", r->noise);
+		jw_double(j, "noise_below", r->bound);
 	} else {
-		json_null(j, "noise");
-		json_null(j, "noise_below");
+		jw_null(j, "noise");
+		jw_null(j, "noise_below");
 	}
-	json_double(j, "confidence", 0.95);
-	json_uint(j, "unfinished", r->unfinished);
-	json_uint(j, "without_sample", r->empty);
-	json_uint(j, "passes", r->passes);
-	json_bool(j, "cut", r->cut);
-	json_uint(j, "spp", r->samples);
-	json_uint(j, "samples_least", r->least);
-	json_uint(j, "samples_most", r->most);
-	json_double(j, "samples_mean", r->mean);
-	json_end(j);
+	jw_double(j, "confidence", 0.95);
+	jw_uint(j, "unfinished", r->unfinished);
+	jw_uint(j, "without_sample", r->empty);
+	jw_uint(j, "passes", r->passes);
+	jw_bool(j, "cut", r->cut);
+	jw_uint(j, "spp", r->samples);
+	jw_uint(j, "samples_least", r->least);
+	jw_uint(j, "samples_most", r->most);
+	jw_double(j, "samples_mean", r->mean);
+	jw_end(j);
 }

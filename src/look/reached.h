@@ -8,12 +8,12 @@
 
 #include <stddef.h>
 
-#include "base/json.h"
+#include "base/json_write.h"
 #include "render/render.h"
 
 /* seconds: since the frame was begun. */
 void reached_text(const struct render_reached *, double seconds, char *out, size_t size);
 /* An object "budget". */
-void reached_json(struct json *, const struct render_reached *);
+void reached_json(struct json_writer *, const struct render_reached *);
 
 #endif

@@ -11,7 +11,7 @@
 #include <inttypes.h>
 
 #include "accel/verify.h"
-#include "base/json.h"
+#include "base/json_write.h"
 #include "look/reached.h"
 
 static const char *const ray_name[RENDER_RAY_KINDS] = {
@@ -164,62 +164,62 @@ void stats_text(const struct stats *s, FILE *out)
 	text_time(s, out);
 }
 
-static void json_rays(struct json *j, const struct render_counts *r)
+static void json_rays(struct json_writer *j, const struct render_counts *r)
 {
 	uint64_t cast, hit;
 
 	sum_rays(r, &cast, &hit);
-	json_object(j, "rays");
+	jw_object(j, "rays");
 	for (int k = 0; k <= RENDER_RAY_KINDS; k++) {
 		bool all = k == RENDER_RAY_KINDS;
 		uint64_t c = all ? cast : r->cast[k], h = all ? hit : r->hit[k];
 
-		json_object(j, all ? "all" : ray_name[k]);
-		json_uint(j, "cast", c);
-		json_uint(j, "hit", h);
-		json_uint(j, "missed", c - h);
-		json_end(j);
+		jw_object(j, all ? "all" : ray_name[k]);
+		jw_uint(j, "cast", c);
+		jw_uint(j, "hit", h);
+		jw_uint(j, "missed", c - h);
+		jw_end(j);
 	}
-	json_end(j);
+	jw_end(j);
 }
 
-static void json_counters(struct json *j, const struct stats *s)
+static void json_counters(struct json_writer *j, const struct stats *s)
 {
 	uint64_t count[ALD_COUNT_MAX] = { 0 };
 
 	geometry_get_counters(s->geometry, count);
-	json_object(j, "tests");
+	jw_object(j, "tests");
 	for (size_t i = 0; i < COUNTERS; i++)
-		json_uint(j, counter_table[i].key, count[counter_table[i].counter]);
-	json_uint(j, "volume_misses", count[ALD_COUNT_VOLUME_TESTS] - count[ALD_COUNT_VOLUME_HITS]);
+		jw_uint(j, counter_table[i].key, count[counter_table[i].counter]);
+	jw_uint(j, "volume_misses", count[ALD_COUNT_VOLUME_TESTS] - count[ALD_COUNT_VOLUME_HITS]);
 	if (count[ALD_COUNT_VOLUME_HITS])
-		json_double(j, "volume_hits_useful_percent",
-			    percent(count[ALD_COUNT_VOLUME_USEFUL], count[ALD_COUNT_VOLUME_HITS]));
+		jw_double(j, "volume_hits_useful_percent",
+			  percent(count[ALD_COUNT_VOLUME_USEFUL], count[ALD_COUNT_VOLUME_HITS]));
 	else
-		json_null(j, "volume_hits_useful_percent");
-	json_end(j);
+		jw_null(j, "volume_hits_useful_percent");
+	jw_end(j);
 }
 
-static void json_differences(struct json *j, const char *key, const struct stats *s,
+static void json_differences(struct json_writer *j, const char *key, const struct stats *s,
 			     const struct verify_list *list)
 {
-	json_array(j, key);
+	jw_array(j, key);
 	for (uint32_t i = 0; i < list->count; i++) {
 		const struct verify_difference *d = &list->one[i];
 		char text[2048];
 
 		verify_describe(s->geometry, d, text, sizeof(text));
-		json_object(j, NULL);
-		json_uint(j, "x", d->x);
-		json_uint(j, "y", d->y);
-		json_string(j, "question", question_name[d->question]);
-		json_string(j, "text", text);
-		json_end(j);
+		jw_object(j, NULL);
+		jw_uint(j, "x", d->x);
+		jw_uint(j, "y", d->y);
+		jw_string(j, "question", question_name[d->question]);
+		jw_string(j, "text", text);
+		jw_end(j);
 	}
-	json_end(j);
+	jw_end(j);
 }
 
-static void json_verified(struct json *j, const struct stats *s)
+static void json_verified(struct json_writer *j, const struct stats *s)
 {
 	uint64_t checked = 0, different = 0, inexact = 0;
 	struct verify_counts c;
@@ -232,95 +232,95 @@ static void json_verified(struct json *j, const struct stats *s)
 		different += c.different[q];
 		inexact += c.inexact[q];
 	}
-	json_object(j, "verify");
-	json_uint(j, "every", c.every);
-	json_uint(j, "checked", checked);
-	json_uint(j, "different", different);
-	json_uint(j, "inexact", inexact);
+	jw_object(j, "verify");
+	jw_uint(j, "every", c.every);
+	jw_uint(j, "checked", checked);
+	jw_uint(j, "different", different);
+	jw_uint(j, "inexact", inexact);
 	for (int q = 0; q < VERIFY_QUESTIONS; q++) {
-		json_object(j, question_name[q]);
-		json_uint(j, "checked", c.checked[q]);
-		json_uint(j, "different", c.different[q]);
-		json_uint(j, "inexact", c.inexact[q]);
-		json_end(j);
+		jw_object(j, question_name[q]);
+		jw_uint(j, "checked", c.checked[q]);
+		jw_uint(j, "different", c.different[q]);
+		jw_uint(j, "inexact", c.inexact[q]);
+		jw_end(j);
 	}
 	json_differences(j, "first", s, &c.first);
 	json_differences(j, "first_inexact", s, &c.first_inexact);
-	json_end(j);
+	jw_end(j);
 }
 
-static void json_structure(struct json *j, const struct stats *s)
+static void json_structure(struct json_writer *j, const struct stats *s)
 {
 	struct geometry_counts c = { 0 };
 	const char *name;
 	double value;
 
 	geometry_get_counts(s->geometry, &c);
-	json_object(j, "geometry");
-	json_uint(j, "triangles", c.triangles);
-	json_uint(j, "effective_triangles", c.effective_triangles);
-	json_uint(j, "primitives", c.primitives);
-	json_uint(j, "instances", c.instances);
-	json_uint(j, "unbounded", c.unbounded);
-	json_uint(j, "dropped", c.dropped);
-	json_end(j);
-	json_object(j, "structure");
+	jw_object(j, "geometry");
+	jw_uint(j, "triangles", c.triangles);
+	jw_uint(j, "effective_triangles", c.effective_triangles);
+	jw_uint(j, "primitives", c.primitives);
+	jw_uint(j, "instances", c.instances);
+	jw_uint(j, "unbounded", c.unbounded);
+	jw_uint(j, "dropped", c.dropped);
+	jw_end(j);
+	jw_object(j, "structure");
 	for (uint32_t i = 0; geometry_stat(s->geometry, i, &name, &value); i++)
-		json_double(j, name, value);
-	json_end(j);
+		jw_double(j, name, value);
+	jw_end(j);
 }
 
-static void json_memory(struct json *j, const struct mem_book *book)
+static void json_memory(struct json_writer *j, const struct mem_book *book)
 {
 	uint32_t n = book->count;
 
-	json_object(j, "memory");
-	json_uint(j, "now", book->now);
-	json_uint(j, "most", book->peak);
-	json_array(j, "by_purpose");
+	jw_object(j, "memory");
+	jw_uint(j, "now", book->now);
+	jw_uint(j, "most", book->peak);
+	jw_array(j, "by_purpose");
 	for (uint32_t i = 0; i < n; i++) {
-		json_object(j, NULL);
-		json_string(j, "purpose", book->account[i].name);
-		json_uint(j, "now", book->account[i].now);
-		json_uint(j, "most", book->account[i].peak);
-		json_end(j);
+		jw_object(j, NULL);
+		jw_string(j, "purpose", book->account[i].name);
+		jw_uint(j, "now", book->account[i].now);
+		jw_uint(j, "most", book->account[i].peak);
+		jw_end(j);
 	}
-	json_end(j);
-	json_end(j);
+	jw_end(j);
+	jw_end(j);
 }
 
-static void json_head(struct json *j, const struct stats *s)
+static void json_head(struct json_writer *j, const struct stats *s)
 {
 	char hash[24];
 
 	snprintf(hash, sizeof(hash), "%016" PRIx64, s->scene_hash);
-	json_string(j, "alidade", s->version);
-	json_string(j, "scene", s->scene);
-	json_string(j, "scene_hash", hash);
-	json_string(j, "output", s->output);
+	jw_string(j, "alidade", s->version);
+	jw_string(j, "scene", s->scene);
+	jw_string(j, "scene_hash", hash);
+	jw_string(j, "output", s->output);
 	if (s->animated) {
-		json_uint(j, "frame", s->frame);
-		json_double(j, "clock", s->clock);
-		json_bool(j, "structure_reused", s->reused);
-		json_uint(j, "pictures_kept", s->pictures_kept);
+		jw_uint(j, "frame", s->frame);
+		jw_double(j, "clock", s->clock);
+		jw_bool(j, "structure_reused", s->reused);
+		jw_uint(j, "pictures_kept", s->pictures_kept);
 	}
-	json_string(j, "options", s->options);
-	json_string(j, "accelerator", s->accel);
-	json_uint(j, "threads", s->threads);
-	json_uint(j, "width", s->width);
-	json_uint(j, "height", s->height);
-	json_bool(j, "complete", s->complete);
-	json_uint(j, "pixels", s->render->pixels);
-	json_uint(j, "samples", s->render->samples);
-	json_uint(j, "nonfinite", s->render->nonfinite);
+	jw_string(j, "options", s->options);
+	jw_string(j, "accelerator", s->accel);
+	jw_uint(j, "threads", s->threads);
+	jw_uint(j, "width", s->width);
+	jw_uint(j, "height", s->height);
+	jw_bool(j, "complete", s->complete);
+	jw_uint(j, "pixels", s->render->pixels);
+	jw_uint(j, "samples", s->render->samples);
+	jw_uint(j, "nonfinite", s->render->nonfinite);
 	if (s->render->nonfinite) {
-		json_object(j, "nonfinite_first");
-		json_uint(j, "x", s->render->nonfinite_x);
-		json_uint(j, "y", s->render->nonfinite_y);
-		json_end(j);
+		jw_object(j, "nonfinite_first");
+		jw_uint(j, "x", s->render->nonfinite_x);
+		jw_uint(j, "y", s->render->nonfinite_y);
+		jw_end(j);
 	}
 	if (s->render->error >= 0)
-		json_double(j, "mean_error", s->render->error);
+		jw_double(j, "mean_error", s->render->error);
 	if (s->render->reached.told)
 		reached_json(j, &s->render->reached);
 }
@@ -328,24 +328,24 @@ static void json_head(struct json *j, const struct stats *s)
 bool stats_json(const struct stats *s, FILE *out)
 {
 	uint64_t cast, hit;
-	struct json j;
+	struct json_writer j;
 
-	json_init(&j, out, JSON_INDENT);
-	json_object(&j, NULL);
+	jw_init(&j, out, JW_INDENT);
+	jw_object(&j, NULL);
 	json_head(&j, s);
 	json_rays(&j, s->render);
 	json_counters(&j, s);
 	json_verified(&j, s);
 	json_structure(&j, s);
 	json_memory(&j, s->book);
-	json_object(&j, "seconds");
-	json_double(&j, "read", s->read_seconds);
-	json_double(&j, "build", geometry_build_seconds(s->geometry));
-	json_double(&j, "render", s->render->seconds);
-	json_double(&j, "write", s->write_seconds);
-	json_end(&j);
+	jw_object(&j, "seconds");
+	jw_double(&j, "read", s->read_seconds);
+	jw_double(&j, "build", geometry_build_seconds(s->geometry));
+	jw_double(&j, "render", s->render->seconds);
+	jw_double(&j, "write", s->write_seconds);
+	jw_end(&j);
 	sum_rays(s->render, &cast, &hit);
-	json_double(&j, "rays_per_second", per_second(cast, s->render->seconds));
-	json_end(&j);
-	return json_finish(&j);
+	jw_double(&j, "rays_per_second", per_second(cast, s->render->seconds));
+	jw_end(&j);
+	return jw_finish(&j);
 }

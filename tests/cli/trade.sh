@@ -139,6 +139,31 @@ for l in open("s-trade/results.jsonl"):
     try: json.loads(l)
     except ValueError: bad += 1
 assert bad == 1'
+# Lines that nobody of us wrote: what can be read has other types, signs and sizes than it should.
+python3 - <<'END'
+import json
+run = next(l for l in open("s-trade/results.jsonl") if '"kind": "run"' in l)
+key = json.loads(run)["key"]
+plan = dict(kind="plan", key=key, name=5, levels=[[-1, 1e300, "x", None] * 99, 7, {}] * 999)
+with open("s-trade/results.jsonl", "ab") as f:
+    for line in (b"nothing of the kind", b"[" * 100000, b'{"kind": "run" "key": 1}', b'"\\ud800"', b'{"a": "\xff"}',
+                 b'{"kind": "run\x00", "key": 1}', b'{"kind": "run", "key": 1e999}', b"{" + b'"a": {' * 5000,
+                 b"null", b"5", b"[]", b"{}", b'{"kind": 7, "key": []}',
+                 json.dumps(plan).encode(), json.dumps(dict(kind="reference", key=key, pictures=-1e300)).encode(),
+                 json.dumps(dict(kind="verify", key=key, checked="all", different={})).encode(),
+                 json.dumps(dict(kind="failure", key=key, limit=-1, message=[])).encode(),
+                 json.dumps(dict(kind="run", key=key, seed=-1e300, process_seconds="1", rmse=None)).encode()):
+        f.write(line + b"\n")
+END
+wrong=$(grep -n '^{"kind": "run", "key$' s-trade/results.jsonl | cut -d: -f1)
+ok "lines of others" sh -c 'n=$1; shift; "$@" 2>err && grep -q "results.jsonl:$n: warning: this is no JSON: .* it and other" err' \
+	sh "$wrong" "$TRADE" --verify=0 --sweep=aa=2 --combinations=0 --repeat=1 --json=m.json s.pov -- -s 24x18
+ok "change nothing" python3 -c '
+import json
+a, b = (json.load(open(f)) for f in ("e.json", "m.json"))
+assert b["runs_measured_now"] == 0
+for x, y in zip(a["settings"], b["settings"], strict=True):
+    assert x["setting"] == y["setting"] and x["values"] == y["values"], (x, y)'
 ok "--fresh" trade --fresh --sweep=aa=2 --combinations=0 --repeat=1 s.pov -- -s 24x18
 ok "forgets" sh -c '! grep -q "\"setting\": \"box\"" s-trade/results.jsonl'
 

@@ -1,19 +1,16 @@
 
 if HAVE_CMOCKA
-check_PROGRAMS += tests/unit/test_json tests/unit/test_json_read tests/unit/test_sobol tests/unit/test_dipole
-tests_unit_test_json_read_SOURCES = tests/unit/test_json_read.c
-tests_unit_test_json_read_CPPFLAGS = $(UNIT_CPPFLAGS)
-tests_unit_test_json_read_LDADD = $(UNIT_LIBS)
+check_PROGRAMS += tests/unit/test_json_write tests/unit/test_sobol tests/unit/test_dipole
 tests_unit_test_dipole_SOURCES = tests/unit/test_dipole.c
 tests_unit_test_dipole_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_dipole_LDADD = $(UNIT_LIBS)
 tests_unit_test_sobol_SOURCES = tests/unit/test_sobol.c
 tests_unit_test_sobol_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_sobol_LDADD = $(UNIT_LIBS)
-tests_unit_test_json_SOURCES = tests/unit/test_json.c
-tests_unit_test_json_CPPFLAGS = $(UNIT_CPPFLAGS)
-tests_unit_test_json_LDADD = $(UNIT_LIBS)
-TESTS += tests/unit/test_json tests/unit/test_json_read tests/unit/test_sobol tests/unit/test_dipole
+tests_unit_test_json_write_SOURCES = tests/unit/test_json_write.c
+tests_unit_test_json_write_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_json_write_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_json_write tests/unit/test_sobol tests/unit/test_dipole
 endif
 
 if HAVE_CMOCKA
@@ -165,7 +162,7 @@ endif
 if HAVE_CMOCKA
 check_PROGRAMS += tests/unit/test_trade
 tests_unit_test_trade_SOURCES = tests/unit/test_trade.c $(TRADE_PARTS)
-tests_unit_test_trade_CPPFLAGS = $(UNIT_CPPFLAGS) -I$(top_srcdir)/tools
-tests_unit_test_trade_LDADD = $(UNIT_LIBS)
+tests_unit_test_trade_CPPFLAGS = $(UNIT_CPPFLAGS) $(JANSSON_CFLAGS) -I$(top_srcdir)/tools
+tests_unit_test_trade_LDADD = $(UNIT_LIBS) $(JANSSON_LIBS)
 TESTS += tests/unit/test_trade
 endif

@@ -9,6 +9,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>
+#include <jansson.h>
 #include <math.h>
 #include <signal.h>
 #include <spawn.h>
@@ -20,7 +21,6 @@
 
 #include "base/clock.h"
 #include "base/interrupt.h"
-#include "base/json_read.h"
 #include "trade.h"
 
 #define ARGS 320
@@ -120,7 +120,7 @@ static double seconds(const struct timeval *v)
 }
 
 /* {"kind": "end", "phase": "rendering", "elapsed": 0.25} */
-static void take_phase(struct trade_child *c, const struct json_value *v)
+static void take_phase(struct trade_child *c, json_t *v)
 {
 	static const struct {
 		const char *phase;
@@ -128,32 +128,31 @@ static void take_phase(struct trade_child *c, const struct json_value *v)
 	} known[] = {
 		{ "reading", TRADE_READ }, { "building", TRADE_BUILD }, { "rendering", TRADE_RENDER },
 	};
-	const char *phase = json_text_at(v, "phase", "");
+	const char *kind, *phase;
+	double elapsed;
 
-	if (strcmp(json_text_at(v, "kind", ""), "end") != 0)
+	if (json_unpack(v, "{s:s, s:s, s:F}", "kind", &kind, "phase", &phase, "elapsed", &elapsed) ||
+	    strcmp(kind, "end") != 0)
 		return;
 	for (size_t i = 0; i < sizeof(known) / sizeof(*known); i++) {
 		if (!strcmp(phase, known[i].phase))
-			c->value[known[i].value] = json_number_at(v, "elapsed", (double)NAN);
+			c->value[known[i].value] = elapsed;
 	}
 }
 
-static void read_phases(struct trade *t, struct trade_child *c, const char *path)
+static void read_phases(struct trade_child *c, const char *path)
 {
 	FILE *in = fopen(path, "r");
-	struct arena arena;
 	char line[1024];
 
 	if (!in)
 		return;
-	arena_init(&arena, &t->book, "progress");
 	while (fgets(line, sizeof(line), in)) {
-		const char *fault;
+		json_t *v = json_loads(line, 0, NULL);
 
-		take_phase(c, json_read(line, strlen(line), &arena, &fault));
-		arena_reset(&arena);
+		take_phase(c, v);
+		json_decref(v);
 	}
-	arena_release(&arena);
 	fclose(in);
 }
 
@@ -239,7 +238,7 @@ enum status trade_child_run(struct trade *t, struct trade_child *c)
 		return STATUS_SIGINT;
 	c->value[TRADE_CPU] = seconds(&usage.ru_utime) + seconds(&usage.ru_stime);
 	c->value[TRADE_MEMORY] = 1024 * (double)usage.ru_maxrss; /* kibibytes on Linux */
-	read_phases(t, c, f.out);
+	read_phases(c, f.out);
 	end_of(c, how);
 	if (c->status && !c->message[0])
 		read_message(c, f.err);

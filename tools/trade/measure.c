@@ -9,6 +9,7 @@
 
 #include <errno.h>
 #include <inttypes.h>
+#include <jansson.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,7 +17,6 @@
 
 #include "base/clock.h"
 #include "base/interrupt.h"
-#include "base/json_read.h"
 #include "scene/hash.h"
 #include "trade.h"
 
@@ -401,26 +401,16 @@ static const struct trade_setting *verified_like(const struct trade *t, const st
 
 static enum status read_verify(struct trade *t, struct trade_setting *s, const char *path)
 {
-	FILE *in = fopen(path, "r");
-	char *text = NULL;
-	const struct json_value *v = NULL;
-	const char *fault = "it cannot be read";
-	size_t room = 0;
-	ssize_t n = in ? getdelim(&text, &room, 0, in) : -1;
-	struct arena arena;
-
-	arena_init(&arena, &t->book, "stats");
-	if (n > 0)
-		v = json_read(text, (size_t)n, &arena, &fault);
+	json_t *v = json_load_file(path, 0, NULL);
 	/* What an accelerator misses by its own fault, and what the precision does. */
-	s->checked = json_number_at(v, "verify.nearest.checked", 0);
-	s->different = json_number_at(v, "verify.nearest.different", 0) +
-		       json_number_at(v, "verify.nearest.inexact", 0);
+	double different = 0, inexact = 0;
+
+	s->checked = 0;
+	json_unpack(v, "{s:{s:{s:F, s:F, s?F}}}", "verify", "nearest", "checked", &s->checked, "different",
+		    &different, "inexact", &inexact);
+	s->different = different + inexact;
 	s->unverified = s->checked > 0 ? NULL : "no ray was checked";
-	arena_release(&arena);
-	free(text);
-	if (in)
-		fclose(in);
+	json_decref(v);
 	return s->checked > 0 ? trade_store_verify(t, s) : STATUS_OK;
 }
 

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/json.h"
+#include "base/json_write.h"
 #include "trade.h"
 
 #define SPREAD_WIDE 0.2 /* of the median: times that say little */
@@ -357,128 +357,128 @@ void trade_print(struct trade *t, FILE *out)
 	}
 }
 
-static void json_setting(struct trade *t, struct json *j, const struct trade_setting *s)
+static void json_setting(struct trade *t, struct json_writer *j, const struct trade_setting *s)
 {
 	static const char *const stage[] = { "default", "alone", "parameter", "combined" };
 	const char *option[TRADE_FACTORS * TRADE_LEVEL_OPTIONS + 1];
 	uint32_t n = trade_options(t, s, option);
 
-	json_object(j, NULL);
-	json_string(j, "setting", s->label);
-	json_string(j, "stage", stage[s->stage]);
-	json_array(j, "options");
+	jw_object(j, NULL);
+	jw_string(j, "setting", s->label);
+	jw_string(j, "stage", stage[s->stage]);
+	jw_array(j, "options");
 	for (uint32_t i = 0; i < n; i++)
-		json_string(j, NULL, option[i]);
-	json_end(j);
-	json_string(j, "command", trade_command(t, s));
-	json_uint(j, "runs", s->runs);
-	json_bool(j, "measured", trade_measured(t, s));
-	json_bool(j, "front", s->front);
-	json_string(j, "failure", s->failure);
+		jw_string(j, NULL, option[i]);
+	jw_end(j);
+	jw_string(j, "command", trade_command(t, s));
+	jw_uint(j, "runs", s->runs);
+	jw_bool(j, "measured", trade_measured(t, s));
+	jw_bool(j, "front", s->front);
+	jw_string(j, "failure", s->failure);
 	if (s->checked > 0)
-		json_double(j, "hits_checked", s->checked);
+		jw_double(j, "hits_checked", s->checked);
 	else if (s->unverified)
-		json_string(j, "hits_unchecked", s->unverified);
-	json_object(j, "values");
+		jw_string(j, "hits_unchecked", s->unverified);
+	jw_object(j, "values");
 	for (int v = 0; v < TRADE_VALUES; v++) {
 		if (!s->range[v].count)
 			continue;
-		json_object(j, trade_column[v].key);
-		json_double(j, "median", s->range[v].median);
-		json_double(j, "low", s->range[v].low);
-		json_double(j, "high", s->range[v].high);
-		json_double(j, "confidence", s->range[v].confidence);
-		json_end(j);
+		jw_object(j, trade_column[v].key);
+		jw_double(j, "median", s->range[v].median);
+		jw_double(j, "low", s->range[v].low);
+		jw_double(j, "high", s->range[v].high);
+		jw_double(j, "confidence", s->range[v].confidence);
+		jw_end(j);
 	}
-	json_end(j);
-	json_end(j);
+	jw_end(j);
+	jw_end(j);
 }
 
-static void json_verdict(struct trade *t, struct json *j, const struct trade_verdict *v)
+static void json_verdict(struct trade *t, struct json_writer *j, const struct trade_verdict *v)
 {
 	static const char *const outcome[] = { "clear", "tied", "unsure", "none" };
 
-	json_object(j, NULL);
-	json_string(j, "kind", v->ask.kind == TRADE_FASTEST ? "fastest" : "most_accurate");
-	json_string(j, "of", trade_column[v->ask.kind == TRADE_FASTEST ? t->error : t->clock].key);
-	json_double(j, "bound", v->ask.bound);
-	json_bool(j, "asked", !v->ask.own);
-	json_string(j, "outcome", outcome[v->outcome]);
-	json_string(j, "setting", v->pick ? v->pick->label : NULL);
-	json_string(j, "command", v->pick ? trade_command(t, v->pick) : NULL);
-	json_string(j, "text", trade_verdict_text(t, v));
+	jw_object(j, NULL);
+	jw_string(j, "kind", v->ask.kind == TRADE_FASTEST ? "fastest" : "most_accurate");
+	jw_string(j, "of", trade_column[v->ask.kind == TRADE_FASTEST ? t->error : t->clock].key);
+	jw_double(j, "bound", v->ask.bound);
+	jw_bool(j, "asked", !v->ask.own);
+	jw_string(j, "outcome", outcome[v->outcome]);
+	jw_string(j, "setting", v->pick ? v->pick->label : NULL);
+	jw_string(j, "command", v->pick ? trade_command(t, v->pick) : NULL);
+	jw_string(j, "text", trade_verdict_text(t, v));
 	if (v->time_again.count) {
-		json_object(j, "again");
-		json_uint(j, "runs", v->time_again.count);
-		json_double(j, trade_column[t->clock].key, v->time_again.median);
-		json_bool(j, "time_holds", v->time_holds);
-		json_double(j, trade_column[t->error].key, v->error_again.median);
-		json_bool(j, "error_holds", v->error_holds);
-		json_bool(j, "bound_holds", v->bound_holds);
-		json_end(j);
+		jw_object(j, "again");
+		jw_uint(j, "runs", v->time_again.count);
+		jw_double(j, trade_column[t->clock].key, v->time_again.median);
+		jw_bool(j, "time_holds", v->time_holds);
+		jw_double(j, trade_column[t->error].key, v->error_again.median);
+		jw_bool(j, "error_holds", v->error_holds);
+		jw_bool(j, "bound_holds", v->bound_holds);
+		jw_end(j);
 	}
-	json_array(j, "tied");
+	jw_array(j, "tied");
 	for (uint32_t i = 0; i < v->ties; i++)
-		json_string(j, NULL, v->tied[i]->label);
-	json_end(j);
-	json_end(j);
+		jw_string(j, NULL, v->tied[i]->label);
+	jw_end(j);
+	jw_end(j);
 }
 
-static void json_reference(const struct trade *t, struct json *j)
+static void json_reference(const struct trade *t, struct json_writer *j)
 {
 	const struct trade_reference *r = &t->reference;
 
-	json_object(j, "reference");
-	json_string(j, "file", r->file);
-	json_string(j, "options", r->options);
-	json_uint(j, "pictures", r->pictures);
-	json_double(j, "noise", r->noise);
-	json_end(j);
+	jw_object(j, "reference");
+	jw_string(j, "file", r->file);
+	jw_string(j, "options", r->options);
+	jw_uint(j, "pictures", r->pictures);
+	jw_double(j, "noise", r->noise);
+	jw_end(j);
 }
 
-static void json_head(struct trade *t, struct json *j)
+static void json_head(struct trade *t, struct json_writer *j)
 {
 	char hash[24];
 	const char *note;
 
 	snprintf(hash, sizeof(hash), "%016" PRIx64, t->about.hash);
-	json_string(j, "alidade", PACKAGE_VERSION);
-	json_string(j, "scene", t->scene);
-	json_string(j, "scene_hash", hash);
-	json_uint(j, "width", t->about.width);
-	json_uint(j, "height", t->about.height);
-	json_bool(j, "complete", t->complete);
-	json_bool(j, "random", t->random);
-	json_string(j, "clock", trade_column[t->clock].key);
-	json_string(j, "error", trade_column[t->error].key);
-	json_string(j, "space", t->space == DIFF_LINEAR ? "linear" : "srgb");
-	json_double(j, "changed_above", t->changed);
-	json_uint(j, "runs_measured_now", t->made);
-	json_uint(j, "runs_kept", t->kept);
-	json_array(j, "notes");
+	jw_string(j, "alidade", PACKAGE_VERSION);
+	jw_string(j, "scene", t->scene);
+	jw_string(j, "scene_hash", hash);
+	jw_uint(j, "width", t->about.width);
+	jw_uint(j, "height", t->about.height);
+	jw_bool(j, "complete", t->complete);
+	jw_bool(j, "random", t->random);
+	jw_string(j, "clock", trade_column[t->clock].key);
+	jw_string(j, "error", trade_column[t->error].key);
+	jw_string(j, "space", t->space == DIFF_LINEAR ? "linear" : "srgb");
+	jw_double(j, "changed_above", t->changed);
+	jw_uint(j, "runs_measured_now", t->made);
+	jw_uint(j, "runs_kept", t->kept);
+	jw_array(j, "notes");
 	for (uint32_t i = 0; (note = trade_note(t, i)); i++) {
 		if (*note)
-			json_string(j, NULL, note);
+			jw_string(j, NULL, note);
 	}
-	json_end(j);
+	jw_end(j);
 }
 
 bool trade_json(struct trade *t, FILE *out)
 {
-	struct json j;
+	struct json_writer j;
 
-	json_init(&j, out, JSON_INDENT);
-	json_object(&j, NULL);
+	jw_init(&j, out, JW_INDENT);
+	jw_object(&j, NULL);
 	json_head(t, &j);
 	json_reference(t, &j);
-	json_array(&j, "settings");
+	jw_array(&j, "settings");
 	for (uint32_t i = 0; i < t->settings; i++)
 		json_setting(t, &j, &t->setting[i]);
-	json_end(&j);
-	json_array(&j, "recommendations");
+	jw_end(&j);
+	jw_array(&j, "recommendations");
 	for (uint32_t i = 0; i < t->verdicts; i++)
 		json_verdict(t, &j, &t->verdict[i]);
-	json_end(&j);
-	json_end(&j);
-	return json_finish(&j);
+	jw_end(&j);
+	jw_end(&j);
+	return jw_finish(&j);
 }

@@ -9,6 +9,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>
+#include <jansson.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,8 +18,7 @@
 #include <unistd.h>
 
 #include "accel/load.h"
-#include "base/json.h"
-#include "base/json_read.h"
+#include "base/json_write.h"
 #include "base/pool.h"
 #include "scene/hash.h"
 #include "trade.h"
@@ -161,74 +161,74 @@ enum status trade_store_open(struct trade *t)
 	return STATUS_OK;
 }
 
-static void begin_line(struct trade *t, struct json *j, const char *kind, uint64_t key)
+static void begin_line(struct trade *t, struct json_writer *j, const char *kind, uint64_t key)
 {
 	char text[24];
 
-	json_init(j, t->results, JSON_LINE);
-	json_object(j, NULL);
-	json_string(j, "kind", kind);
+	jw_init(j, t->results, JW_LINE);
+	jw_object(j, NULL);
+	jw_string(j, "kind", kind);
 	snprintf(text, sizeof(text), "%016" PRIx64, key);
-	json_string(j, "key", text);
+	jw_string(j, "key", text);
 }
 
-static enum status end_line(struct trade *t, struct json *j)
+static enum status end_line(struct trade *t, struct json_writer *j)
 {
-	json_end(j);
-	return json_finish(j) ? STATUS_OK : store_failed(t);
+	jw_end(j);
+	return jw_finish(j) ? STATUS_OK : store_failed(t);
 }
 
 enum status trade_store_run(struct trade *t, const struct trade_setting *s, const struct trade_run *r)
 {
 	char picture[24];
-	struct json j;
+	struct json_writer j;
 
 	begin_line(t, &j, "run", s->key);
-	json_string(&j, "setting", s->label);
-	json_uint(&j, "seed", r->seed);
+	jw_string(&j, "setting", s->label);
+	jw_uint(&j, "seed", r->seed);
 	snprintf(picture, sizeof(picture), "%016" PRIx64, r->picture);
-	json_string(&j, "picture", picture);
+	jw_string(&j, "picture", picture);
 	for (int v = 0; v < TRADE_VALUES; v++) {
 		if (!isnan(r->value[v]))
-			json_double(&j, trade_column[v].key, r->value[v]);
+			jw_double(&j, trade_column[v].key, r->value[v]);
 	}
 	return end_line(t, &j);
 }
 
 enum status trade_store_failure(struct trade *t, const struct trade_setting *s, double limit)
 {
-	struct json j;
+	struct json_writer j;
 
 	begin_line(t, &j, "failure", s->key);
-	json_string(&j, "setting", s->label);
+	jw_string(&j, "setting", s->label);
 	if (limit > 0)
-		json_double(&j, "limit", limit);
-	json_string(&j, "message", s->failure);
+		jw_double(&j, "limit", limit);
+	jw_string(&j, "message", s->failure);
 	return end_line(t, &j);
 }
 
 enum status trade_store_verify(struct trade *t, const struct trade_setting *s)
 {
-	struct json j;
+	struct json_writer j;
 
 	begin_line(t, &j, "verify", s->key);
-	json_string(&j, "setting", s->label);
-	json_double(&j, "checked", s->checked);
-	json_double(&j, "different", s->different);
+	jw_string(&j, "setting", s->label);
+	jw_double(&j, "checked", s->checked);
+	jw_double(&j, "different", s->different);
 	return end_line(t, &j);
 }
 
 enum status trade_store_reference(struct trade *t)
 {
 	char hash[24];
-	struct json j;
+	struct json_writer j;
 
 	begin_line(t, &j, "reference", t->reference.key);
-	json_string(&j, "options", t->reference.options);
+	jw_string(&j, "options", t->reference.options);
 	snprintf(hash, sizeof(hash), "%016" PRIx64, t->reference.hash);
-	json_string(&j, "picture", hash);
-	json_double(&j, "noise", t->reference.noise);
-	json_uint(&j, "pictures", t->reference.pictures);
+	jw_string(&j, "picture", hash);
+	jw_double(&j, "noise", t->reference.noise);
+	jw_uint(&j, "pictures", t->reference.pictures);
 	return end_line(t, &j);
 }
 
@@ -246,35 +246,48 @@ uint64_t trade_plan_key(const struct trade *t, const char *stage)
 
 enum status trade_store_plan(struct trade *t, const struct trade_planned *p)
 {
-	struct json j;
+	struct json_writer j;
 
 	begin_line(t, &j, "plan", p->key);
-	json_string(&j, "name", p->name);
-	json_array(&j, "levels");
+	jw_string(&j, "name", p->name);
+	jw_array(&j, "levels");
 	for (uint32_t i = 0; i < p->count; i++) {
-		json_array(&j, NULL);
+		jw_array(&j, NULL);
 		for (uint32_t f = 0; f < t->factors; f++)
-			json_uint(&j, NULL, p->level[i][f]);
-		json_end(&j);
+			jw_uint(&j, NULL, p->level[i][f]);
+		jw_end(&j);
 	}
-	json_end(&j);
+	jw_end(&j);
 	return end_line(t, &j);
 }
 
-static uint64_t hex_at(const struct json_value *v, const char *key)
+static double number_at(const json_t *v, const char *key, double otherwise)
 {
-	return strtoull(json_text_at(v, key, "0"), NULL, 16);
+	const json_t *n = json_object_get(v, key);
+
+	return json_is_number(n) ? json_number_value(n) : otherwise;
 }
 
-static void take_run(struct trade *t, struct trade_setting *s, const struct json_value *v)
+static const char *text_at(const json_t *v, const char *key)
+{
+	const json_t *s = json_object_get(v, key);
+
+	return json_is_string(s) ? json_string_value(s) : "";
+}
+
+static uint64_t hex_at(const json_t *v, const char *key)
+{
+	return strtoull(text_at(v, key), NULL, 16);
+}
+
+static void take_run(struct trade *t, struct trade_setting *s, const json_t *v)
 {
 	struct trade_run *r = &s->run[s->runs];
 
 	if (s->runs == TRADE_RUNS)
 		return;
 	for (int i = 0; i < TRADE_VALUES; i++)
-		r->value[i] = json_number_at(v, trade_column[i].key, (double)NAN);
-	r->seed = (uint64_t)json_number_at(v, "seed", 0);
+		r->value[i] = number_at(v, trade_column[i].key, (double)NAN);
 	r->picture = hex_at(v, "picture");
 	if (isnan(r->value[TRADE_PROCESS]) || isnan(r->value[TRADE_RMSE]))
 		return;
@@ -282,9 +295,9 @@ static void take_run(struct trade *t, struct trade_setting *s, const struct json
 	t->kept++;
 }
 
-static void take_line(struct trade *t, const struct json_value *v, uint32_t first)
+static void take_line(struct trade *t, const json_t *v, uint32_t first)
 {
-	const char *kind = json_text_at(v, "kind", "");
+	const char *kind = text_at(v, "kind");
 	uint64_t key = hex_at(v, "key");
 
 	for (uint32_t i = first; i < t->settings; i++) {
@@ -295,62 +308,78 @@ static void take_line(struct trade *t, const struct json_value *v, uint32_t firs
 		if (!strcmp(kind, "run")) {
 			take_run(t, s, v);
 		} else if (!strcmp(kind, "verify")) {
-			s->checked = json_number_at(v, "checked", 0);
-			s->different = json_number_at(v, "different", 0);
-		} else if (!strcmp(kind, "failure") && json_number_at(v, "limit", 0) > 0 &&
-			   !(t->limit > json_number_at(v, "limit", 0))) {
+			s->checked = number_at(v, "checked", 0);
+			s->different = number_at(v, "different", 0);
+		} else if (!strcmp(kind, "failure") && number_at(v, "limit", 0) > 0 &&
+			   !(t->limit > number_at(v, "limit", 0))) {
 			/* Too slow then is too slow now; what failed otherwise may have been mended. */
-			s->failure = trade_text(t, "%s", json_text_at(v, "message", ""));
+			s->failure = trade_text(t, "%s", text_at(v, "message"));
 		}
 		return;
 	}
 }
 
-/* Calls take for each line that is JSON; others are what a crash left. */
-static enum status each_line(struct trade *t, void (*take)(struct trade *, const struct json_value *, uint32_t),
-			     uint32_t arg)
+struct bad_lines {
+	struct diag_pos first;
+	char text[JSON_ERROR_TEXT_LENGTH];
+	uint32_t count;
+};
+
+/* Calls take for each line that is JSON; bad may be NULL. */
+static enum status each_line(struct trade *t, void (*take)(struct trade *, const json_t *, uint32_t),
+			     uint32_t arg, struct bad_lines *bad)
 {
 	char *line = NULL;
 	size_t room = 0;
 	ssize_t n;
 	enum status st = STATUS_OK;
-	struct arena arena;
 
 	if (fflush(t->results) || fseek(t->results, 0, SEEK_SET))
 		return store_failed(t);
-	arena_init(&arena, &t->book, "results");
-	while ((n = getline(&line, &room, t->results)) > 0) {
-		const char *fault;
-		const struct json_value *v = json_read(line, (size_t)n, &arena, &fault);
+	for (uint32_t i = 1; (n = getline(&line, &room, t->results)) > 0; i++) {
+		json_error_t fault;
+		json_t *v = json_loadb(line, (size_t)n, JSON_DECODE_INT_AS_REAL, &fault);
 
 		if (v)
 			take(t, v, arg);
-		arena_reset(&arena);
+		else if (bad && !bad->count++) {
+			bad->first = (struct diag_pos){ t->results_name, i, 0 };
+			snprintf(bad->text, sizeof(bad->text), "%s", fault.text);
+		}
+		json_decref(v);
 	}
 	if (ferror(t->results))
 		st = store_failed(t);
 	clearerr(t->results);
-	arena_release(&arena);
 	free(line);
 	return st;
 }
 
+/* A line that is none is no error: a crash leaves half a one, and what it said can be measured again. */
 enum status trade_store_load(struct trade *t, uint32_t first)
 {
-	return each_line(t, take_line, first);
+	struct bad_lines bad = { .count = 0 };
+	enum status st = each_line(t, take_line, first, &bad);
+
+	if (bad.count && !first)
+		diag_report(&t->diag, DIAG_WARNING, &bad.first,
+			    "this is no JSON: %s; %s left out, and what is missing then is measured again "
+			    "(--fresh begins a new file)", bad.text,
+			    bad.count > 1 ? "it and other such lines are" : "the line is");
+	return st;
 }
 
-static void take_reference(struct trade *t, const struct json_value *v, uint32_t arg)
+static void take_reference(struct trade *t, const json_t *v, uint32_t arg)
 {
 	struct trade_reference *r = &t->reference;
 
 	(void)arg;
-	if (strcmp(json_text_at(v, "kind", ""), "reference") != 0 || hex_at(v, "key") != r->key ||
+	if (strcmp(text_at(v, "kind"), "reference") != 0 || hex_at(v, "key") != r->key ||
 	    hex_at(v, "picture") != r->hash)
 		return;
-	r->noise = json_number_at(v, "noise", (double)NAN);
-	r->pictures = (uint32_t)json_number_at(v, "pictures", 1);
-	t->reference.options = trade_text(t, "%s", json_text_at(v, "options", ""));
+	r->noise = number_at(v, "noise", (double)NAN);
+	r->pictures = number_at(v, "pictures", 1) > 1 ? 2 : 1;
+	t->reference.options = trade_text(t, "%s", text_at(v, "options"));
 }
 
 /* Its picture has to be there as well, and as it was. */
@@ -358,28 +387,32 @@ bool trade_store_find_reference(struct trade *t)
 {
 	t->reference.pictures = 0;
 	t->reference.hash = trade_hash_file(HASH_START, t->reference.file);
-	return t->reference.hash && !each_line(t, take_reference, 0) && t->reference.pictures;
+	return t->reference.hash && !each_line(t, take_reference, 0, NULL) && t->reference.pictures;
 }
 
-static void take_plan(struct trade *t, const struct json_value *v, uint32_t arg)
+static void take_plan(struct trade *t, const json_t *v, uint32_t arg)
 {
 	struct trade_planned *p = t->looking;
-	const struct json_value *list = json_at(v, "levels");
+	const json_t *list = json_object_get(v, "levels"), *setting, *level;
+	size_t i, f;
 
 	(void)arg;
-	if (strcmp(json_text_at(v, "kind", ""), "plan") != 0 || hex_at(v, "key") != p->key)
+	if (strcmp(text_at(v, "kind"), "plan") != 0 || hex_at(v, "key") != p->key)
 		return;
 	p->found = true;
 	p->count = 0;
-	snprintf(p->name, sizeof(p->name), "%s", json_text_at(v, "name", ""));
-	for (list = list ? list->child : NULL; list && p->count < p->room; list = list->next, p->count++) {
-		uint32_t f = 0;
-
+	snprintf(p->name, sizeof(p->name), "%s", text_at(v, "name"));
+	json_array_foreach(list, i, setting) {
+		if (p->count == p->room)
+			break;
 		memset(p->level[p->count], 0, sizeof(*p->level));
-		for (const struct json_value *l = list->child; l && f < t->factors; l = l->next, f++)
-			p->level[p->count][f] = l->number >= 0 && l->number <= t->factor[f].levels ?
-							(uint16_t)l->number :
-							0;
+		json_array_foreach(setting, f, level) {
+			double n = json_number_value(level);
+
+			if (f < t->factors && n >= 0 && n <= t->factor[f].levels)
+				p->level[p->count][f] = (uint16_t)n;
+		}
+		p->count++;
 	}
 }
 
@@ -387,7 +420,7 @@ void trade_store_find_plan(struct trade *t, struct trade_planned *p)
 {
 	p->found = false;
 	t->looking = p;
-	if (each_line(t, take_plan, 0))
+	if (each_line(t, take_plan, 0, NULL))
 		p->found = false;
 	t->looking = NULL;
 }

@@ -16,25 +16,25 @@
 
 #include <cmocka.h>
 
-#include "base/json.h"
+#include "base/json_write.h"
 
 struct text {
-	struct json json;
+	struct json_writer json;
 	char *data;
 	size_t size;
 	FILE *file;
 };
 
-static void text_open(struct text *t, enum json_layout layout)
+static void text_open(struct text *t, enum jw_layout layout)
 {
 	t->file = open_memstream(&t->data, &t->size);
 	assert_non_null(t->file);
-	json_init(&t->json, t->file, layout);
+	jw_init(&t->json, t->file, layout);
 }
 
 static bool text_is(struct text *t, const char *want)
 {
-	bool ok = json_finish(&t->json);
+	bool ok = jw_finish(&t->json);
 
 	fclose(t->file);
 	if (ok)
@@ -48,18 +48,18 @@ static void test_line(void **state)
 	struct text t;
 
 	(void)state;
-	text_open(&t, JSON_LINE);
-	json_object(&t.json, NULL);
-	json_string(&t.json, "kind", "tile");
-	json_array(&t.json, "rays");
-	json_uint(&t.json, NULL, UINT64_MAX);
-	json_int(&t.json, NULL, INT64_MIN);
-	json_end(&t.json);
-	json_object(&t.json, "none");
-	json_end(&t.json);
-	json_bool(&t.json, "done", false);
-	json_string(&t.json, "gone", NULL);
-	json_end(&t.json);
+	text_open(&t, JW_LINE);
+	jw_object(&t.json, NULL);
+	jw_string(&t.json, "kind", "tile");
+	jw_array(&t.json, "rays");
+	jw_uint(&t.json, NULL, UINT64_MAX);
+	jw_int(&t.json, NULL, INT64_MIN);
+	jw_end(&t.json);
+	jw_object(&t.json, "none");
+	jw_end(&t.json);
+	jw_bool(&t.json, "done", false);
+	jw_string(&t.json, "gone", NULL);
+	jw_end(&t.json);
 	assert_true(text_is(&t, "{\"kind\": \"tile\", \"rays\": [18446744073709551615, "
 				"-9223372036854775808], \"none\": {}, \"done\": false, "
 				"\"gone\": null}\n"));
@@ -70,14 +70,14 @@ static void test_indent(void **state)
 	struct text t;
 
 	(void)state;
-	text_open(&t, JSON_INDENT);
-	json_array(&t.json, NULL);
-	json_object(&t.json, NULL);
-	json_null(&t.json, "a");
-	json_end(&t.json);
-	json_array(&t.json, NULL);
-	json_end(&t.json);
-	json_end(&t.json);
+	text_open(&t, JW_INDENT);
+	jw_array(&t.json, NULL);
+	jw_object(&t.json, NULL);
+	jw_null(&t.json, "a");
+	jw_end(&t.json);
+	jw_array(&t.json, NULL);
+	jw_end(&t.json);
+	jw_end(&t.json);
 	assert_true(text_is(&t, "[\n\t{\n\t\t\"a\": null\n\t},\n\t[]\n]\n"));
 }
 
@@ -86,8 +86,8 @@ static void test_text(void **state)
 	struct text t;
 
 	(void)state;
-	text_open(&t, JSON_LINE);
-	json_string(
+	text_open(&t, JW_LINE);
+	jw_string(
 		&t.json, NULL,
 		"\"\\\b\f\n\r\t\x01\x7f/\xc3\xa4\xf0\x9f\x98\x80|\xff\xc3|\xed\xa0\x80|\xc0\x80");
 	assert_true(text_is(&t, "\"\\\"\\\\\\b\\f\\n\\r\\t\\u0001\\u007f/\xc3\xa4\xf0\x9f\x98\x80|"
@@ -104,12 +104,12 @@ static void test_numbers(void **state)
 	(void)state;
 	for (size_t i = 0; i < sizeof(value) / sizeof(*value); i++) {
 		FILE *f = open_memstream(&data, &size);
-		struct json j;
+		struct json_writer j;
 		double back;
 
-		json_init(&j, f, JSON_LINE);
-		json_double(&j, NULL, value[i]);
-		assert_true(json_finish(&j));
+		jw_init(&j, f, JW_LINE);
+		jw_double(&j, NULL, value[i]);
+		assert_true(jw_finish(&j));
 		fclose(f);
 		back = strtod(data, NULL);
 		assert_memory_equal(&back, &value[i], sizeof(back));
@@ -124,11 +124,11 @@ static void test_nonfinite(void **state)
 	struct text t;
 
 	(void)state;
-	text_open(&t, JSON_LINE);
-	json_array(&t.json, NULL);
-	json_double(&t.json, NULL, (double)NAN);
-	json_double(&t.json, NULL, -(double)INFINITY);
-	json_end(&t.json);
+	text_open(&t, JW_LINE);
+	jw_array(&t.json, NULL);
+	jw_double(&t.json, NULL, (double)NAN);
+	jw_double(&t.json, NULL, -(double)INFINITY);
+	jw_end(&t.json);
 	assert_true(text_is(&t, "[null, null]\n"));
 }
 
@@ -137,35 +137,35 @@ static void test_misuse(void **state)
 	struct text t;
 
 	(void)state;
-	text_open(&t, JSON_LINE);
-	json_object(&t.json, NULL);
-	json_null(&t.json, NULL);
-	json_end(&t.json);
+	text_open(&t, JW_LINE);
+	jw_object(&t.json, NULL);
+	jw_null(&t.json, NULL);
+	jw_end(&t.json);
 	assert_false(text_is(&t, ""));
-	text_open(&t, JSON_LINE);
-	json_array(&t.json, NULL);
+	text_open(&t, JW_LINE);
+	jw_array(&t.json, NULL);
 	assert_false(text_is(&t, ""));
-	text_open(&t, JSON_LINE);
+	text_open(&t, JW_LINE);
 	assert_false(text_is(&t, ""));
-	text_open(&t, JSON_LINE);
-	for (int i = 0; i < 2 * JSON_DEPTH; i++)
-		json_array(&t.json, NULL);
-	for (int i = 0; i < 2 * JSON_DEPTH; i++)
-		json_end(&t.json);
+	text_open(&t, JW_LINE);
+	for (int i = 0; i < 2 * JW_DEPTH; i++)
+		jw_array(&t.json, NULL);
+	for (int i = 0; i < 2 * JW_DEPTH; i++)
+		jw_end(&t.json);
 	assert_false(text_is(&t, ""));
 }
 
 static void test_full_disk(void **state)
 {
 	FILE *f = fopen("/dev/full", "w");
-	struct json j;
+	struct json_writer j;
 
 	(void)state;
 	if (!f)
 		skip();
-	json_init(&j, f, JSON_LINE);
-	json_null(&j, NULL);
-	assert_false(json_finish(&j));
+	jw_init(&j, f, JW_LINE);
+	jw_null(&j, NULL);
+	assert_false(jw_finish(&j));
 	fclose(f);
 }
 

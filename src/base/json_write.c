@@ -1,7 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  */
-#include "base/json.h"
+#include "base/json_write.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -62,9 +62,9 @@ static void put_text(FILE *out, const char *text)
 	fputc('"', out);
 }
 
-static void put_break(struct json *j)
+static void put_break(struct json_writer *j)
 {
-	if (j->layout == JSON_LINE)
+	if (j->layout == JW_LINE)
 		return;
 	fputc('\n', j->out);
 	for (uint32_t i = 0; i < j->depth; i++)
@@ -72,7 +72,7 @@ static void put_break(struct json *j)
 }
 
 /* What stands before a value: comma, line break, key. */
-static void begin_value(struct json *j, const char *key)
+static void begin_value(struct json_writer *j, const char *key)
 {
 	uint64_t bit = (uint64_t)1 << j->depth;
 	bool inside = j->depth > 0;
@@ -80,7 +80,7 @@ static void begin_value(struct json *j, const char *key)
 	if (!!key != (inside && (j->object & bit)) || (!inside && (j->filled & bit)))
 		j->misused = true;
 	if (j->filled & bit)
-		fputs(j->layout == JSON_LINE ? ", " : ",", j->out);
+		fputs(j->layout == JW_LINE ? ", " : ",", j->out);
 	if (inside)
 		put_break(j);
 	j->filled |= bit;
@@ -90,13 +90,13 @@ static void begin_value(struct json *j, const char *key)
 	fputs(": ", j->out);
 }
 
-static void begin_level(struct json *j, const char *key, bool object)
+static void begin_level(struct json_writer *j, const char *key, bool object)
 {
 	uint64_t bit;
 
 	begin_value(j, key);
 	fputc(object ? '{' : '[', j->out);
-	if (j->depth + 1 >= JSON_DEPTH) {
+	if (j->depth + 1 >= JW_DEPTH) {
 		j->misused = true;
 		return;
 	}
@@ -105,22 +105,22 @@ static void begin_level(struct json *j, const char *key, bool object)
 	j->object = object ? j->object | bit : j->object & ~bit;
 }
 
-void json_init(struct json *j, FILE *out, enum json_layout layout)
+void jw_init(struct json_writer *j, FILE *out, enum jw_layout layout)
 {
-	*j = (struct json){ .out = out, .layout = layout };
+	*j = (struct json_writer){ .out = out, .layout = layout };
 }
 
-void json_object(struct json *j, const char *key)
+void jw_object(struct json_writer *j, const char *key)
 {
 	begin_level(j, key, true);
 }
 
-void json_array(struct json *j, const char *key)
+void jw_array(struct json_writer *j, const char *key)
 {
 	begin_level(j, key, false);
 }
 
-void json_end(struct json *j)
+void jw_end(struct json_writer *j)
 {
 	uint64_t bit = (uint64_t)1 << j->depth;
 
@@ -134,22 +134,22 @@ void json_end(struct json *j)
 	fputc(j->object & bit ? '}' : ']', j->out);
 }
 
-void json_string(struct json *j, const char *key, const char *value)
+void jw_string(struct json_writer *j, const char *key, const char *value)
 {
 	if (!value) {
-		json_null(j, key);
+		jw_null(j, key);
 		return;
 	}
 	begin_value(j, key);
 	put_text(j->out, value);
 }
 
-void json_double(struct json *j, const char *key, double value)
+void jw_double(struct json_writer *j, const char *key, double value)
 {
 	char text[40];
 
 	if (!isfinite(value)) {
-		json_null(j, key);
+		jw_null(j, key);
 		return;
 	}
 	for (int digits = 15; digits <= 17; digits++) {
@@ -166,31 +166,31 @@ void json_double(struct json *j, const char *key, double value)
 	fputs(text, j->out);
 }
 
-void json_uint(struct json *j, const char *key, uint64_t value)
+void jw_uint(struct json_writer *j, const char *key, uint64_t value)
 {
 	begin_value(j, key);
 	fprintf(j->out, "%" PRIu64, value);
 }
 
-void json_int(struct json *j, const char *key, int64_t value)
+void jw_int(struct json_writer *j, const char *key, int64_t value)
 {
 	begin_value(j, key);
 	fprintf(j->out, "%" PRId64, value);
 }
 
-void json_bool(struct json *j, const char *key, bool value)
+void jw_bool(struct json_writer *j, const char *key, bool value)
 {
 	begin_value(j, key);
 	fputs(value ? "true" : "false", j->out);
 }
 
-void json_null(struct json *j, const char *key)
+void jw_null(struct json_writer *j, const char *key)
 {
 	begin_value(j, key);
 	fputs("null", j->out);
 }
 
-bool json_finish(struct json *j)
+bool jw_finish(struct json_writer *j)
 {
 	fputc('\n', j->out);
 	return !fflush(j->out) && !ferror(j->out) && !j->misused && !j->depth && (j->filled & 1);

@@ -7,7 +7,7 @@
 #define TESTS_BENCH_RACE_H
 
 #include "accel/load.h"
-#include "base/json.h"
+#include "base/json_write.h"
 #include "peers.h"
 #include "worlds.h"
 
@@ -75,6 +75,6 @@ enum verdict verdict_of(struct spread ratio, struct spread noise);
 /* The best peer of a kind, robust or not; NULL: there is none. */
 const struct engine *tally_best(const struct bench *, unsigned kind, bool robust);
 void tally_print(const struct bench *);
-void tally_json(const struct bench *, struct json *);
+void tally_json(const struct bench *, struct json_writer *);
 
 #endif

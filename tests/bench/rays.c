@@ -114,7 +114,7 @@ static bool open_all(struct bench *b, char **names, int count)
 	return build_again(b);
 }
 
-static int run(struct bench *b, const char *name, char **names, int count, struct json *json)
+static int run(struct bench *b, const char *name, char **names, int count, struct json_writer *json)
 {
 	uint32_t width;
 	bool fine;
@@ -138,9 +138,9 @@ static int run(struct bench *b, const char *name, char **names, int count, struc
 		tally_print(b);
 		for (uint32_t i = 0; i < b->engines && b->counts; i++)
 			report_counts(b, &b->engine[i]);
-		json_object(json, NULL);
+		jw_object(json, NULL);
 		tally_json(b, json);
-		json_end(json);
+		jw_end(json);
 		shots_release(&b->shots);
 		for (unsigned k = 0; k < KINDS; k++)
 			free(b->truth[k]);
@@ -153,7 +153,7 @@ static int run(struct bench *b, const char *name, char **names, int count, struc
 	return !fine;
 }
 
-static void json_machine(struct json *j)
+static void json_machine(struct json_writer *j)
 {
 	char line[200], *at;
 	FILE *f = fopen("/proc/cpuinfo", "r");
@@ -162,14 +162,14 @@ static void json_machine(struct json *j)
 		at = strchr(line, ':');
 		if (at && !strncmp(line, "model name", 10)) {
 			line[strcspn(line, "\n")] = 0;
-			json_string(j, "processor", at + 2);
+			jw_string(j, "processor", at + 2);
 			printf("%s, %u cores\n", at + 2, pool_cores());
 			break;
 		}
 	}
 	if (f)
 		fclose(f);
-	json_uint(j, "cores", pool_cores());
+	jw_uint(j, "cores", pool_cores());
 }
 
 int main(int argc, char **argv)
@@ -178,7 +178,7 @@ int main(int argc, char **argv)
 	struct bench *b = calloc(1, sizeof(*b));
 	char *worlds = NULL, *left = NULL;
 	FILE *out = NULL;
-	struct json json;
+	struct json_writer json;
 	int c, status = 0;
 
 	b->rounds = 7;
@@ -212,17 +212,17 @@ int main(int argc, char **argv)
 		return 2;
 	if (!out)
 		out = fopen("/dev/null", "w");
-	json_init(&json, out, JSON_INDENT);
-	json_object(&json, NULL);
+	jw_init(&json, out, JW_INDENT);
+	jw_object(&json, NULL);
 	json_machine(&json);
-	json_array(&json, "worlds");
+	jw_array(&json, "worlds");
 	worlds = worlds ? worlds : strdup(b->all ? worlds_all : worlds_usual);
 	for (char *m = strtok_r(worlds, ",", &left); m && !status; m = strtok_r(NULL, ",", &left))
 		status = optind < argc ? run(b, m, argv + optind, argc - optind, &json) :
 					 run(b, m, usual, peer_there() ? 2 : 1, &json);
-	json_end(&json);
-	json_end(&json);
-	json_finish(&json);
+	jw_end(&json);
+	jw_end(&json);
+	jw_finish(&json);
 	free(worlds);
 	return status;
 }

@@ -161,40 +161,40 @@ void tally_print(const struct bench *b)
 	fflush(stdout);
 }
 
-static void json_engine(const struct bench *b, struct json *j, const struct engine *e)
+static void json_engine(const struct bench *b, struct json_writer *j, const struct engine *e)
 {
 	static const char *const wrong[] = { "missed", "ghosts", "elsewhere" };
 
-	json_object(j, NULL);
-	json_string(j, "name", e->name);
-	json_bool(j, "peer", e->peer);
-	json_double(j, "build_seconds", e->build);
-	json_array(j, "builds");
+	jw_object(j, NULL);
+	jw_string(j, "name", e->name);
+	jw_bool(j, "peer", e->peer);
+	jw_double(j, "build_seconds", e->build);
+	jw_array(j, "builds");
 	for (uint32_t r = 0; r < b->builds && e->builds[r] > 0; r++)
-		json_double(j, NULL, e->builds[r]);
-	json_end(j);
-	json_double(j, "bytes", e->bytes);
-	json_object(j, "kinds");
+		jw_double(j, NULL, e->builds[r]);
+	jw_end(j);
+	jw_double(j, "bytes", e->bytes);
+	jw_object(j, "kinds");
 	for (unsigned k = 0; k < KINDS; k++) {
 		if (!e->races[k])
 			continue;
-		json_object(j, kind_name[k]);
-		json_double(j, "rays_per_second", 1e6 * rate(b, e, k));
-		json_array(j, "seconds");
+		jw_object(j, kind_name[k]);
+		jw_double(j, "rays_per_second", 1e6 * rate(b, e, k));
+		jw_array(j, "seconds");
 		for (uint32_t r = 0; r < b->rounds; r++)
-			json_double(j, NULL, e->seconds[k][r]);
-		json_end(j);
-		json_object(j, "wrong");
+			jw_double(j, NULL, e->seconds[k][r]);
+		jw_end(j);
+		jw_object(j, "wrong");
 		for (unsigned i = 0; i < WRONGS; i++)
-			json_uint(j, wrong[i], e->wrong[k][i]);
-		json_end(j);
-		json_end(j);
+			jw_uint(j, wrong[i], e->wrong[k][i]);
+		jw_end(j);
+		jw_end(j);
 	}
-	json_end(j);
-	json_end(j);
+	jw_end(j);
+	jw_end(j);
 }
 
-static void json_against(const struct bench *b, struct json *j, const char *key, unsigned k, const struct engine *e)
+static void json_against(const struct bench *b, struct json_writer *j, const char *key, unsigned k, const struct engine *e)
 {
 	struct spread noise = spread_ratio(b->again[k], b->engine[0].seconds[k], b->rounds), s;
 	static const char *const word[] = { "behind", "none", "ahead" };
@@ -202,43 +202,43 @@ static void json_against(const struct bench *b, struct json *j, const char *key,
 	if (!e)
 		return;
 	s = spread_ratio(e->seconds[k], b->engine[0].seconds[k], b->rounds);
-	json_object(j, key);
-	json_string(j, "engine", e->name);
-	json_double(j, "rays_per_second", 1e6 * rate(b, e, k));
-	json_double(j, "ratio", s.middle);
-	json_double(j, "low", s.low);
-	json_double(j, "high", s.high);
-	json_double(j, "noise", noise_of(noise));
-	json_string(j, "verdict", word[verdict_of(s, noise) + 1]);
-	json_end(j);
+	jw_object(j, key);
+	jw_string(j, "engine", e->name);
+	jw_double(j, "rays_per_second", 1e6 * rate(b, e, k));
+	jw_double(j, "ratio", s.middle);
+	jw_double(j, "low", s.low);
+	jw_double(j, "high", s.high);
+	jw_double(j, "noise", noise_of(noise));
+	jw_string(j, "verdict", word[verdict_of(s, noise) + 1]);
+	jw_end(j);
 }
 
-void tally_json(const struct bench *b, struct json *j)
+void tally_json(const struct bench *b, struct json_writer *j)
 {
-	json_string(j, "world", b->world.name);
-	json_uint(j, "triangles", b->world.mesh.prims.count);
-	json_uint(j, "threads", b->threads);
-	json_uint(j, "rounds", b->rounds);
-	json_double(j, "load_before", b->load[0]);
-	json_double(j, "load_after", b->load[1]);
-	json_double(j, "others_share", b->others);
-	json_uint(j, "brute_force_rays", b->sampled);
-	json_uint(j, "brute_force_disagrees", b->strays);
-	json_object(j, "rays");
+	jw_string(j, "world", b->world.name);
+	jw_uint(j, "triangles", b->world.mesh.prims.count);
+	jw_uint(j, "threads", b->threads);
+	jw_uint(j, "rounds", b->rounds);
+	jw_double(j, "load_before", b->load[0]);
+	jw_double(j, "load_after", b->load[1]);
+	jw_double(j, "others_share", b->others);
+	jw_uint(j, "brute_force_rays", b->sampled);
+	jw_uint(j, "brute_force_disagrees", b->strays);
+	jw_object(j, "rays");
 	for (unsigned k = 0; k < KINDS; k++)
-		json_uint(j, kind_name[k], b->shots.n[k]);
-	json_end(j);
-	json_array(j, "engines");
+		jw_uint(j, kind_name[k], b->shots.n[k]);
+	jw_end(j);
+	jw_array(j, "engines");
 	for (uint32_t i = 0; i < b->engines; i++)
 		json_engine(b, j, &b->engine[i]);
-	json_end(j);
-	json_object(j, "against_embree");
+	jw_end(j);
+	jw_object(j, "against_embree");
 	for (unsigned k = 0; k < KINDS && b->embree && first_peer(b); k++) {
-		json_object(j, kind_name[k]);
+		jw_object(j, kind_name[k]);
 		json_against(b, j, "best", k, tally_best(b, k, false));
 		json_against(b, j, "best_robust", k, tally_best(b, k, true));
 		json_against(b, j, "rtcIntersect1", k, first_peer(b));
-		json_end(j);
+		jw_end(j);
 	}
-	json_end(j);
+	jw_end(j);
 }

@@ -10,81 +10,50 @@
 #include <errno.h>
 #include <math.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "image/image.h"
 #include "trade.h"
 
+/* Memory that both see; out stands behind status. */
 struct answer {
 	enum status status;
+	double out[];
 };
-
-static bool write_all(int fd, const void *data, size_t n)
-{
-	const char *at = data;
-
-	while (n) {
-		ssize_t k = write(fd, at, n);
-
-		if (k < 0 && errno == EINTR)
-			continue;
-		if (k <= 0)
-			return false;
-		at += k;
-		n -= (size_t)k;
-	}
-	return true;
-}
-
-static bool read_all(int fd, void *data, size_t n)
-{
-	char *at = data;
-
-	while (n) {
-		ssize_t k = read(fd, at, n);
-
-		if (k < 0 && errno == EINTR)
-			continue;
-		if (k <= 0)
-			return false;
-		at += k;
-		n -= (size_t)k;
-	}
-	return true;
-}
 
 enum status trade_apart(struct trade *t, enum status (*job)(struct trade *, void *arg, void *out), void *arg,
 			void *out, size_t size)
 {
-	struct answer answer = { STATUS_FAILED };
-	int fd[2], how = 0;
-	bool good;
+	struct answer *a = mmap(NULL, sizeof(*a) + size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+	enum status st = STATUS_FAILED;
+	int how = 0;
 	pid_t pid;
 
-	if (pipe(fd))
-		return diag_fail(&t->diag, STATUS_FAILED, NULL, "no pipe: %s", strerror(errno));
+	if (a == MAP_FAILED)
+		return diag_no_memory(&t->diag, "figures of a comparison", sizeof(*a) + size);
+	memcpy(a->out, out, size);
 	fflush(NULL);
 	pid = fork();
 	if (!pid) {
-		close(fd[0]);
-		answer.status = job(t, arg, out);
-		good = write_all(fd[1], &answer, sizeof(answer)) && write_all(fd[1], out, size);
-		_exit(good ? 0 : 1);
+		a->status = job(t, arg, a->out);
+		_exit(0);
 	}
-	close(fd[1]);
-	good = pid > 0 && read_all(fd[0], &answer, sizeof(answer)) && read_all(fd[0], out, size);
-	close(fd[0]);
 	while (pid > 0 && waitpid(pid, &how, 0) < 0 && errno == EINTR)
 		;
 	if (pid < 0)
-		return diag_fail(&t->diag, STATUS_FAILED, NULL, "no process can be started: %s",
-				 strerror(errno));
-	if (!good)
-		return diag_fail(&t->diag, STATUS_FAILED, NULL, "a process that read for this one ended by %s %d",
-				 WIFSIGNALED(how) ? "signal" : "status",
-				 WIFSIGNALED(how) ? WTERMSIG(how) : WEXITSTATUS(how));
-	return answer.status;
+		st = diag_fail(&t->diag, STATUS_FAILED, NULL, "no process can be started: %s", strerror(errno));
+	else if (how)
+		st = diag_fail(&t->diag, STATUS_FAILED, NULL, "a process that read for this one ended by %s %d",
+			       WIFSIGNALED(how) ? "signal" : "status",
+			       WIFSIGNALED(how) ? WTERMSIG(how) : WEXITSTATUS(how));
+	else
+		st = a->status;
+	if (!st)
+		memcpy(out, a->out, size);
+	munmap(a, sizeof(*a) + size);
+	return st;
 }
 
 static enum status diff(struct trade *t, const struct image *a, const struct image *b, struct diff_result *r)

@@ -89,6 +89,33 @@ static void mesh_normal(const struct prim_leaf *f, const struct mesh *m, uint32_
 		s->ns = n;
 }
 
+/* Of a cell's lower triangle the corners are (0, 0), (1, 0) and (0, 1), of its upper one (1, 1), (0, 1), (1, 0).
+ * POV-Ray brings the normals to the world and to unit length before it takes their mean. */
+static void grid_normal(const struct prim_leaf *f, const struct mesh *m, uint32_t face, struct surface *s)
+{
+	const uint32_t *i = m->index + 3 * (size_t)face, *j = m->index + 3 * (size_t)(face ^ 1);
+	double x = face & 1 ? 1 - s->bary[1] : s->bary[1], z = face & 1 ? 1 - s->bary[2] : s->bary[2];
+	uint32_t at[4] = { i[0], i[1], i[2], j[0] };
+	double share[4] = { (1 - x) * (1 - z), x * (1 - z), (1 - x) * z, x * z };
+	vec n = { 0, 0, 0 };
+
+	if (face & 1) {
+		at[0] = j[0];
+		at[1] = j[1];
+		at[2] = j[2];
+		at[3] = i[0];
+	}
+	for (unsigned k = 0; k < 4; k++) {
+		const float *v = m->normal + 3 * (size_t)at[k];
+		vec one = vec_make((double)v[0], (double)v[1], (double)v[2]);
+
+		n = vec_mad(n, vec_unit(mat_normal(&f->place.inv, one)), share[k]);
+	}
+	n = vec_unit(n);
+	if (vec_finite(n) && vec_dot(n, n) > 0.5)
+		s->ns = n;
+}
+
 static void mesh_uv(const struct mesh *m, uint32_t face, struct surface *s)
 {
 	static const uint32_t first[3] = { 0, 0, 0 };
@@ -111,7 +138,9 @@ static void mesh_surface(const struct scene *sc, const struct prim_leaf *f, uint
 	s->bary[0] = 1 - u - v;
 	s->bary[1] = u;
 	s->bary[2] = v;
-	if (m->normal && face < m->smooth_count)
+	if (m->grid)
+		grid_normal(f, m, face, s);
+	else if (m->normal && face < m->smooth_count)
 		mesh_normal(f, m, face, s);
 	if (m->uv)
 		mesh_uv(m, face, s);

@@ -16,6 +16,7 @@ src_libalidade_la_SOURCES += \
 	src/read/pov/finish.c \
 	src/read/pov/func.c \
 	src/read/pov/function.c src/read/pov/function.h \
+	src/read/pov/heightfield.c \
 	src/read/pov/internal.h \
 	src/read/pov/image.c \
 	src/read/pov/interior.c \

@@ -329,6 +329,7 @@ static uint64_t hash_mesh(uint64_t h, const struct mesh *m)
 	h = HASH(h, m->smooth_count);
 	h = HASH(h, m->textures_per_face);
 	h = HASH(h, m->lone);
+	h = HASH(h, m->grid);
 	h = HASH(h, m->has_inside);
 	h = hash_words(h, m->vertex, (size_t)m->vertex_count * 3 * sizeof(double));
 	h = hash_words(h, m->index, (size_t)m->triangle_count * 3 * sizeof(uint32_t));

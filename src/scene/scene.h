@@ -112,7 +112,8 @@ struct mesh {
 	uint32_t uv_count;
 	float *uv; /* [2 * uv_count], or NULL: no texture of the scene asks for them */
 	uint32_t *uv_index; /* [3 * triangle_count]; NULL: same as index, or all 0 if there is one uv */
-	bool lone; /* a triangle outside a mesh: u and v are x and y of the scene, as for most shapes */
+	bool lone; /* a triangle outside a mesh, a height_field: u and v are x and y of the scene, as for most shapes */
+	bool grid; /* faces 2i and 2i + 1 are a cell, over which four normals of any length are interpolated */
 	bool has_inside;
 	vec inside; /* inside_vector */
 	struct diag_pos pos;

@@ -99,6 +99,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/soft-lamp-round.pov \
 	tests/features/soft-lamp-spot.pov \
 	tests/features/soft-lamp.pov \
+	tests/features/height-fields.pov \
 	tests/features/polynomials.pov \
 	tests/features/prisms.pov \
 	tests/features/soft-subsurface.pov \
@@ -224,6 +225,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/soft-focus-scaled.exr \
 	tests/features/soft-focus-spherical.exr \
 	tests/features/soft-focus.exr \
+	tests/features/height-fields.exr \
 	tests/features/polynomials.exr \
 	tests/features/prisms.exr \
 	tests/features/solids.exr \

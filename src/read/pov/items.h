@@ -218,6 +218,7 @@ struct pov_object *pov_read_light(struct pov *);
 /* The inside of a mesh's or triangle's braces; modifiers and } are left to the caller. at: its keyword. */
 struct pov_object *pov_read_mesh(struct pov *, const struct diag_pos *at);
 struct pov_object *pov_read_mesh2(struct pov *, const struct diag_pos *at);
+struct pov_object *pov_read_height_field(struct pov *, const struct diag_pos *at);
 struct pov_object *pov_read_triangle(struct pov *, const struct diag_pos *at, bool smooth);
 /* The numbers of shapes that have a file of their own. */
 void pov_read_sweep(struct pov *, struct object *);

@@ -171,7 +171,6 @@ static const struct shape_word {
 	{ TOK_POLY, SHAPE_ALGEBRAIC, pov_read_poly },
 	{ TOK_POLYNOMIAL, SHAPE_ALGEBRAIC, pov_read_polynomial },
 	{ TOK_BICUBIC_PATCH, SHAPE_UNION, NULL },
-	{ TOK_HEIGHT_FIELD, SHAPE_UNION, NULL },
 	{ TOK_JULIA_FRACTAL, SHAPE_UNION, NULL },
 	{ TOK_OVUS, SHAPE_UNION, NULL },
 	{ TOK_PARAMETRIC, SHAPE_UNION, NULL },
@@ -201,6 +200,7 @@ bool pov_starts_object(struct pov *p)
 	case TOK_BLOB:
 	case TOK_MESH:
 	case TOK_MESH2:
+	case TOK_HEIGHT_FIELD:
 	case TOK_TRIANGLE:
 	case TOK_SMOOTH_TRIANGLE:
 	case TOK_LIGHT_SOURCE:
@@ -506,6 +506,8 @@ static struct pov_object *read_body(struct pov *p, struct pov_object *o, enum po
 		return pov_read_mesh(p, at);
 	case TOK_MESH2:
 		return pov_read_mesh2(p, at);
+	case TOK_HEIGHT_FIELD:
+		return pov_read_height_field(p, at);
 	case TOK_TRIANGLE:
 	case TOK_SMOOTH_TRIANGLE:
 		return pov_read_triangle(p, at, t == TOK_SMOOTH_TRIANGLE);

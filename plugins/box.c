@@ -5,9 +5,10 @@
  */
 #include "flat.h"
 
+static const ald_param params[] = { ISA_PARAM, { NULL, NULL, 0, 0, 0, 0, NULL } };
+
 struct ald_accel {
 	struct flat flat;
-	ald_box *volume; /* of each range */
 };
 
 static void box_destroy(ald_accel *a)
@@ -15,37 +16,18 @@ static void box_destroy(ald_accel *a)
 	const ald_host *host = a->flat.host;
 
 	flat_release(&a->flat);
-	host->free(host->ctx, a->volume);
 	host->free(host->ctx, a);
 }
 
-static int box_volumes(ald_accel *a, const ald_host *host)
-{
-	const struct flat *f = &a->flat;
-
-	a->volume = host->alloc(host->ctx, (f->ranges + (size_t)1) * sizeof(*a->volume), "volumes");
-	if (!a->volume)
-		return ALD_NO_MEMORY;
-	for (uint32_t g = 0; g < f->ranges; g++)
-		flat_box(f->prims, f->range[g].first, f->range[g].end, &a->volume[g]);
-	a->flat.bytes += f->ranges * sizeof(*a->volume);
-	return ALD_OK;
-}
-
-static int box_build(const ald_host *host, const ald_prims *prims, const double *value,
-		      ald_accel **out, ald_error *err)
+static int box_build(const ald_host *host, const ald_prims *prims, const double *value, ald_accel **out,
+		     ald_error *err)
 {
 	ald_accel *a = host->alloc(host->ctx, sizeof(*a), "volumes");
 	int status;
 
-	(void)value;
-	(void)err;
 	if (!a)
 		return ALD_NO_MEMORY;
-	a->volume = NULL;
-	status = flat_init(&a->flat, host, prims, 1);
-	if (!status)
-		status = box_volumes(a, host);
+	status = flat_init(&a->flat, host, prims, FLAT_BOX, (unsigned)value[0], err);
 	if (status)
 		box_destroy(a);
 	else
@@ -53,77 +35,38 @@ static int box_build(const ald_host *host, const ald_prims *prims, const double 
 	return status;
 }
 
-ALD_INLINE int box_enter(const ald_accel *a, uint32_t range, const ald_prep *prep, double tmin,
-			 double tmax, double *enter)
-{
-	return ald_box_ray(prep, &a->volume[range], tmin, tmax, enter);
-}
-
-ALD_INLINE int box_enter_fast(const ald_accel *a, uint32_t range, const ald_fast_prep *prep, double tmin, double tmax,
-			   double *enter)
-{
-	return ald_fast_box_ray(prep, &a->volume[range], tmin, tmax, enter);
-}
-
-static const struct flat_volume box_volume = { box_enter, box_enter_fast };
-
-WIDE static void box_intersect_n(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit,
-				  uint32_t n, uint32_t hints)
+static void box_intersect_n(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit, uint32_t n,
+			     uint32_t hints)
 {
 	(void)hints;
-	flat_nearest(&a->flat, a, &box_volume, q, ray, hit, n);
+	a->flat.isa->nearest(&a->flat, q, ray, hit, n);
 }
 
-WIDE static void box_occluded_n(const ald_accel *a, ald_query *q, const ald_ray *ray, uint8_t *hidden,
-				 uint32_t n, uint32_t hints)
+static void box_occluded_n(const ald_accel *a, ald_query *q, const ald_ray *ray, uint8_t *hidden, uint32_t n,
+			    uint32_t hints)
 {
 	(void)hints;
-	flat_occluded(&a->flat, a, &box_volume, q, ray, hidden, n);
+	a->flat.isa->occluded(&a->flat, q, ray, hidden, n);
 }
 
 static int box_intersect(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit)
 {
-	ald_hit old = *hit;
-
-	box_intersect_n(a, q, ray, hit, 1, 0);
-	return hit->t != old.t || hit->prim != old.prim;
+	return flat_intersect(&a->flat, q, ray, hit);
 }
 
 static int box_occluded(const ald_accel *a, ald_query *q, const ald_ray *ray)
 {
-	uint8_t hidden;
-
-	box_occluded_n(a, q, ray, &hidden, 1, 0);
-	return hidden;
+	return flat_occluded(&a->flat, q, ray);
 }
 
 static int box_stat(const ald_accel *a, uint32_t i, const char **name, double *value)
 {
-	if (i > 1)
-		return 0;
-	*name = i ? "memory" : "volumes";
-	*value = i ? (double)a->flat.bytes : a->flat.ranges;
-	return 1;
+	return flat_stat(&a->flat, i, name, value);
 }
 
 static int box_walk(const ald_accel *a, const ald_ray *only, ald_visit *visit, void *arg)
 {
-	ald_prep prep;
-
-	if (only)
-		ald_ray_prep(&a->flat.frame, only, &prep);
-	for (uint32_t g = 0; g < a->flat.ranges; g++) {
-		ald_volume v = { .kind = ALD_VOLUME_BOX, .depth = 0 };
-		double t;
-
-		v.prims = a->flat.range[g].end - a->flat.range[g].first;
-		v.box = a->volume[g];
-		if (only && !box_enter(a, g, &prep, only->tmin, only->tmax, &t))
-			continue;
-		if (visit(arg, &v) < 0)
-			return -1;
-	}
-	return 0;
+	return flat_tour(&a->flat, only, visit, arg);
 }
 
 const ald_accel_plugin ald_accel_entry = {
@@ -133,6 +76,7 @@ const ald_accel_plugin ald_accel_entry = {
 	.version = "1",
 	.license = "Apache-2.0",
 	.summary = "one axis-aligned box around each object",
+	.params = params,
 	.precisions = ALD_PRECISION_DEFAULT | ALD_PRECISION_EXACT | ALD_PRECISION_FAST,
 	.build = box_build,
 	.intersect = box_intersect,

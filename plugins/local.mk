@@ -7,15 +7,18 @@ PLUGIN_CPPFLAGS = -I$(top_srcdir)/include
 
 pkglibaccel_LTLIBRARIES += plugins/none.la plugins/sphere.la plugins/box.la plugins/octree.la plugins/bvh8.la
 
-plugins_none_la_SOURCES = plugins/none.c plugins/flat.h
+FLAT = plugins/flat.c plugins/flat_plain.c plugins/flat_sse.c plugins/flat_avx2.c plugins/flat_avx512.c \
+	plugins/flat.h plugins/flat_walk.h plugins/lines.h plugins/simd.h plugins/isa.h
+
+plugins_none_la_SOURCES = plugins/none.c $(FLAT)
 plugins_none_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
 plugins_none_la_LDFLAGS = $(PLUGIN_LDFLAGS)
 
-plugins_sphere_la_SOURCES = plugins/sphere.c plugins/flat.h
+plugins_sphere_la_SOURCES = plugins/sphere.c $(FLAT)
 plugins_sphere_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
 plugins_sphere_la_LDFLAGS = $(PLUGIN_LDFLAGS)
 
-plugins_box_la_SOURCES = plugins/box.c plugins/flat.h
+plugins_box_la_SOURCES = plugins/box.c $(FLAT)
 plugins_box_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
 plugins_box_la_LDFLAGS = $(PLUGIN_LDFLAGS)
 

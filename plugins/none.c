@@ -6,6 +6,8 @@
  */
 #include "flat.h"
 
+static const ald_param params[] = { ISA_PARAM, { NULL, NULL, 0, 0, 0, 0, NULL } };
+
 struct ald_accel {
 	struct flat flat;
 };
@@ -18,17 +20,15 @@ static void none_destroy(ald_accel *a)
 	host->free(host->ctx, a);
 }
 
-static int none_build(const ald_host *host, const ald_prims *prims, const double *value,
-		      ald_accel **out, ald_error *err)
+static int none_build(const ald_host *host, const ald_prims *prims, const double *value, ald_accel **out,
+		      ald_error *err)
 {
 	ald_accel *a = host->alloc(host->ctx, sizeof(*a), "volumes");
 	int status;
 
-	(void)value;
-	(void)err;
 	if (!a)
 		return ALD_NO_MEMORY;
-	status = flat_init(&a->flat, host, prims, 0);
+	status = flat_init(&a->flat, host, prims, FLAT_NONE, (unsigned)value[0], err);
 	if (status)
 		none_destroy(a);
 	else
@@ -36,43 +36,33 @@ static int none_build(const ald_host *host, const ald_prims *prims, const double
 	return status;
 }
 
-WIDE static void none_intersect_n(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit,
-				  uint32_t n, uint32_t hints)
+static void none_intersect_n(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit, uint32_t n,
+			     uint32_t hints)
 {
 	(void)hints;
-	flat_nearest(&a->flat, a, NULL, q, ray, hit, n);
+	a->flat.isa->nearest(&a->flat, q, ray, hit, n);
 }
 
-WIDE static void none_occluded_n(const ald_accel *a, ald_query *q, const ald_ray *ray, uint8_t *hidden,
-				 uint32_t n, uint32_t hints)
+static void none_occluded_n(const ald_accel *a, ald_query *q, const ald_ray *ray, uint8_t *hidden, uint32_t n,
+			    uint32_t hints)
 {
 	(void)hints;
-	flat_occluded(&a->flat, a, NULL, q, ray, hidden, n);
+	a->flat.isa->occluded(&a->flat, q, ray, hidden, n);
 }
 
 static int none_intersect(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit)
 {
-	ald_hit old = *hit;
-
-	none_intersect_n(a, q, ray, hit, 1, 0);
-	return hit->t != old.t || hit->prim != old.prim;
+	return flat_intersect(&a->flat, q, ray, hit);
 }
 
 static int none_occluded(const ald_accel *a, ald_query *q, const ald_ray *ray)
 {
-	uint8_t hidden;
-
-	none_occluded_n(a, q, ray, &hidden, 1, 0);
-	return hidden;
+	return flat_occluded(&a->flat, q, ray);
 }
 
 static int none_stat(const ald_accel *a, uint32_t i, const char **name, double *value)
 {
-	if (i)
-		return 0;
-	*name = "memory";
-	*value = (double)a->flat.bytes;
-	return 1;
+	return flat_stat(&a->flat, i, name, value);
 }
 
 const ald_accel_plugin ald_accel_entry = {
@@ -82,6 +72,7 @@ const ald_accel_plugin ald_accel_entry = {
 	.version = "1",
 	.license = "Apache-2.0",
 	.summary = "no structure: every ray is tested with every primitive",
+	.params = params,
 	.precisions = ALD_PRECISION_DEFAULT | ALD_PRECISION_EXACT | ALD_PRECISION_FAST,
 	.build = none_build,
 	.intersect = none_intersect,

@@ -1,0 +1,22 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * flat_walk.h in AVX2 with FMA.
+ */
+#include "flat.h"
+
+#if defined __x86_64__
+#include <immintrin.h>
+
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
+#else
+#pragma GCC target("avx2,fma")
+#endif
+#define ISA_LEVEL 2
+#define ISA_NAME flat_avx2
+#include "flat_walk.h"
+#ifdef __clang__
+#pragma clang attribute pop
+#endif
+#endif

@@ -9,3 +9,8 @@ tests_bench_rays_SOURCES = tests/bench/rays.c tests/bench/race.c tests/bench/rac
 tests_bench_rays_CPPFLAGS = $(AM_CPPFLAGS) -I$(top_srcdir)/src \
 	-DSUZANNE='"$(abs_top_srcdir)/scenes/suzanne/suzanne.pov"'
 tests_bench_rays_LDADD = src/libalidade.la $(EMBREE_LIBS)
+
+EXTRA_PROGRAMS += tests/bench/lecture_rays
+tests_bench_lecture_rays_SOURCES = tests/bench/lecture_rays.c tests/unit/rays.c tests/unit/rays.h
+tests_bench_lecture_rays_CPPFLAGS = $(AM_CPPFLAGS) -I$(top_srcdir)/src
+tests_bench_lecture_rays_LDADD = src/libalidade.la

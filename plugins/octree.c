@@ -15,6 +15,8 @@
 
 static const char *const index_label[] = { "auto", "16", "32", NULL };
 static const char *const shape_label[] = { "cube", "box", NULL };
+static const char *const node_label[] = { "box", "sphere", NULL };
+static const char *const walk_label[] = { "loop", "recursion", NULL };
 static const ald_param params[] = {
 	{ "depth", "levels below the root at most", ALD_INT, 16, 0, DEPTH_MAX, NULL },
 	{ "leaf", "a cell with as many primitives is not split", ALD_INT, 16, 1, 65535, NULL },
@@ -23,6 +25,9 @@ static const ald_param params[] = {
 	{ "index", "bits of a node's index", ALD_CHOICE, INDEX_AUTO, 0, 2, index_label },
 	{ "shape", "cells are cubes, or shaped as the scene's box", ALD_CHOICE, SHAPE_CUBE, 0, 1,
 	  shape_label },
+	{ "node", "what a cell is tested by: its box, or a sphere around it", ALD_CHOICE, NODE_BOX, 0, 1, node_label },
+	{ "walk", "how the tree is gone through: in a loop, or by a function that calls itself", ALD_CHOICE, 0, 0, 1,
+	  walk_label },
 	{ NULL, NULL, 0, 0, 0, 0, NULL },
 };
 
@@ -43,6 +48,8 @@ static void count_leaf(const ald_accel *a, struct seen *s, uint64_t *count, cons
 		count[ALD_COUNT_REPEATS] += seen_again(s, a->prims->count, a->other[leaf->other + i]);
 }
 
+#define CHUNK 256u /* rays that are looked at together */
+
 #define FAST 0
 #include "octree_walk.h"
 #undef FAST
@@ -62,22 +69,69 @@ ALD_INLINE int trace_any(const ald_accel *a, ald_query *q, const ald_ray *ray)
 	return q->count ? trace_one(a, q, ray, &hit, 1, q->count) : trace_one(a, q, ray, &hit, 1, NULL);
 }
 
+/* 1: the line passes the scene's box, surely. m is its moment about the box's centre c; seen along an axis across
+ * it and one of the box's, the box is as large as reach. far is more than all that rounding and pads (R4) may
+ * shift. A NaN does not pass. */
+ALD_INLINE int passes(const ald_accel *a, const ald_ray *r)
+{
+	const double *c = a->middle, *h = a->reach;
+	double ox = r->org.x - c[0], oy = r->org.y - c[1], oz = r->org.z - c[2];
+	double x = r->dir.x, y = r->dir.y, z = r->dir.z;
+	double far = (fabs(ox) + fabs(oy) + fabs(oz) + a->frame.radius) * 0x1p-44;
+	double hx = h[0] + far, hy = h[1] + far, hz = h[2] + far, dx = fabs(x), dy = fabs(y), dz = fabs(z);
+
+	return (fabs(oy * z - oz * y) > hy * dz + hz * dy) | (fabs(oz * x - ox * z) > hz * dx + hx * dz) |
+	       (fabs(ox * y - oy * x) > hx * dy + hy * dx);
+}
+
+/* The rays that do not: most of a batch may never come near. Returns how many; and how many have gone by. */
+ALD_INLINE uint32_t near_box(const ald_accel *a, const ald_ray *ray, uint32_t n, uint16_t near[CHUNK])
+{
+	uint8_t past[CHUNK];
+	uint32_t found = 0;
+
+	for (uint32_t i = 0; i < n; i++)
+		past[i] = a->ball > 0 ? 0 : (uint8_t)passes(a, &ray[i]);
+	for (uint32_t i = 0; i < n; i++) {
+		near[found] = (uint16_t)i;
+		found += !past[i];
+	}
+	return found;
+}
+
 WIDE static void octree_intersect_n(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit,
 				    uint32_t n, uint32_t hints)
 {
+	uint16_t near[CHUNK];
+
 	(void)hints;
-	for (uint32_t i = 0; i < n && !q->count; i++)
-		trace_one(a, q, &ray[i], &hit[i], 0, NULL);
-	for (uint32_t i = 0; i < n && q->count; i++)
-		trace_one(a, q, &ray[i], &hit[i], 0, q->count);
+	for (uint32_t at = 0; at < n; at += CHUNK) {
+		uint32_t some = n - at < CHUNK ? n - at : CHUNK, m = near_box(a, ray + at, some, near);
+
+		if (q->count)
+			q->count[ALD_COUNT_VOLUME_TESTS] += some - m;
+		for (uint32_t i = 0; i < m && !q->count; i++)
+			trace_one(a, q, &ray[at + near[i]], &hit[at + near[i]], 0, NULL);
+		for (uint32_t i = 0; i < m && q->count; i++)
+			trace_one(a, q, &ray[at + near[i]], &hit[at + near[i]], 0, q->count);
+	}
 }
 
 WIDE static void octree_occluded_n(const ald_accel *a, ald_query *q, const ald_ray *ray, uint8_t *hidden,
 				   uint32_t n, uint32_t hints)
 {
+	uint16_t near[CHUNK];
+
 	(void)hints;
-	for (uint32_t i = 0; i < n; i++)
-		hidden[i] = (uint8_t)trace_any(a, q, &ray[i]);
+	memset(hidden, 0, n);
+	for (uint32_t at = 0; at < n; at += CHUNK) {
+		uint32_t some = n - at < CHUNK ? n - at : CHUNK, m = near_box(a, ray + at, some, near);
+
+		if (q->count)
+			q->count[ALD_COUNT_VOLUME_TESTS] += some - m;
+		for (uint32_t i = 0; i < m; i++)
+			hidden[at + near[i]] = (uint8_t)trace_any(a, q, &ray[at + near[i]]);
+	}
 }
 
 static int octree_intersect(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit)
@@ -144,8 +198,15 @@ static int octree_walk(const ald_accel *a, const ald_ray *only, ald_visit *visit
 			(&v.box.lo.x)[k] = s.c[k] - h[k];
 			(&v.box.hi.x)[k] = s.c[k] + h[k];
 		}
-		if (only && !ald_box_ray(&p, &v.box, only->tmin, only->tmax, &enter))
+		if (a->ball > 0) {
+			v.kind = ALD_VOLUME_SPHERE;
+			v.box.lo = (ald_vec){ s.c[0], s.c[1], s.c[2] };
+			v.box.hi = (ald_vec){ ldexp(a->ball, -(int)s.depth) + a->ball_pad, 0, 0 };
+			if (only && !ald_sphere_ray(&p, &v.box.lo, v.box.hi.x, only->tmin, only->tmax, &enter))
+				continue;
+		} else if (only && !ald_box_ray(&p, &v.box, only->tmin, only->tmax, &enter)) {
 			continue;
+		}
 		v.depth = s.depth;
 		if (s.index >= a->inner)
 			v.prims = a->leaf[s.index - a->inner].tris + a->leaf[s.index - a->inner].others;

@@ -28,6 +28,7 @@ struct ald_accel {
 	const ald_prims *prims;
 	ald_frame frame;
 	ald_box box; /* around the primitives */
+	double middle[3], reach[3]; /* its centre and half size, and a little more */
 	double centre[3], half[3]; /* of the root cell */
 	/* Child k of node n is index[8 n + k]: 0 none; below inner a node, else leaf index - inner. */
 	uint32_t *wide; /* one of these two is NULL */
@@ -41,7 +42,9 @@ struct ald_accel {
 	uint32_t *other;
 	uint32_t inner, leaves, blocks, others, depth;
 	uint64_t refs, bytes;
+	double ball, ball_pad; /* nodes are spheres: the root's radius, each level's is half, and what is added; or 0 */
 	int root_is_leaf;
+	int calls; /* the walk calls itself */
 };
 
 /* Plain loops over eight lanes: unlike vector types, which gcc takes apart before it makes clones, they
@@ -62,9 +65,10 @@ ALD_INLINE uint32_t lanes(const int64_t in[8])
 	return bits;
 }
 
-enum octree_param { P_DEPTH, P_LEAF, P_PRICE, P_INDEX, P_SHAPE };
+enum octree_param { P_DEPTH, P_LEAF, P_PRICE, P_INDEX, P_SHAPE, P_NODE, P_WALK };
 enum { INDEX_AUTO, INDEX_16, INDEX_32 };
 enum { SHAPE_CUBE, SHAPE_BOX };
+enum { NODE_BOX, NODE_SPHERE };
 
 /* value[] is in the order of enum octree_param. */
 int octree_build(const ald_host *, const ald_prims *, const double *value, ald_accel **out,

@@ -336,6 +336,8 @@ static int make_root(struct builder *b)
 		double lo = (&a->box.lo.x)[k], hi = (&a->box.hi.x)[k];
 
 		a->half[k] = (hi - lo) / 2 * (1 + 8 * ALD_U) + p->pad;
+		a->middle[k] = lo + (hi - lo) / 2;
+		a->reach[k] = (hi - lo) / 2 * (1 + 0x1p-44);
 		biggest = ald_max(a->half[k], biggest);
 	}
 	/* A cube starts at the box's low corner: a split through the middle of what is flat costs most. */
@@ -343,6 +345,12 @@ static int make_root(struct builder *b)
 		if (b->value[P_SHAPE] == SHAPE_CUBE)
 			a->half[k] = biggest;
 		a->centre[k] = (&a->box.lo.x)[k] - p->pad / 2 + a->half[k];
+	}
+	a->calls = b->value[P_WALK] > 0;
+	if (b->value[P_NODE] == NODE_SPHERE) {
+		a->ball = sqrt(a->half[0] * a->half[0] + a->half[1] * a->half[1] + a->half[2] * a->half[2]);
+		a->ball *= 1 + 16 * ALD_U;
+		a->ball_pad = 4 * p->pad;
 	}
 	l->cell = take(b->host, 1, sizeof(*l->cell), "octree: building");
 	l->ref = take(b->host, p->count, sizeof(*l->ref), "octree: building");

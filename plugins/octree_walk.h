@@ -15,6 +15,8 @@
 #define BLOCK ald_fast_triangles
 #define BLOCKS fast
 #define TRIANGLE_N ald_fast_triangle_n
+#define SPHERE_RAY ald_fast_sphere_ray
+#define PAD(p) 0
 #else
 #define REAL double
 #define LANE int64_t
@@ -26,6 +28,8 @@
 #define BLOCK ald_triangles
 #define BLOCKS block
 #define TRIANGLE_N ald_triangle_n
+#define SPHERE_RAY ald_sphere_ray
+#define PAD(p) ((p)->pad)
 #endif
 #define FRAME NAMED(frame)
 #define WALK NAMED(walk)
@@ -124,13 +128,52 @@ ALD_INLINE int NAMED(test_leaf)(struct WALK *w, const struct leaf *leaf, int any
 	return found;
 }
 
-/* f has its centre, and the ray's way into its nearer and out of its farther halves: the rest. */
-ALD_INLINE void NAMED(open_cell)(const struct WALK *w, struct FRAME *f, uint32_t node)
+/* Which of the spheres around its children the ray enters, and where: ald_sphere_ray() eight times. scale: of the
+ * children. */
+ALD_INLINE void NAMED(open_balls)(const struct WALK *w, struct FRAME *f, REAL scale, REAL t0, REAL t1, LANE in[8])
 {
 	static const int64_t far[3][8] = CHILD_BITS;
-	REAL t0 = w->t0, best = NAMED(best)(w), t1 = best < w->t1 ? best : w->t1, leave[8];
-	uint32_t kids = w->a->kids[node];
-	LANE in[8];
+	const ald_accel *a = w->a;
+	REAL r = (REAL)(a->ball * (double)scale + a->ball_pad), along[8], size[8], off[3][8], pad = PAD(&w->p);
+
+	r = (r + 2 * pad) * (REAL)(1 + 8 * ALD_U);
+	EACH(i)
+		along[i] = size[i] = 0;
+	for (unsigned k = 0; k < 3; k++) {
+		REAL h = (REAL)a->half[k] * scale, o = w->p.o[k] - f->c[k], d = w->p.d[k];
+		int64_t flip = w->flip >> k & 1;
+
+		EACH(i) {
+			off[k][i] = (far[k][i] ^ flip) ? o - h : o + h;
+			along[i] -= off[k][i] * d;
+		}
+	}
+	EACH(i)
+		along[i] /= w->p.dd;
+	for (unsigned k = 0; k < 3; k++) {
+		REAL d = w->p.d[k];
+
+		EACH(i) {
+			REAL l = off[k][i] + along[i] * d;
+
+			size[i] += l * l;
+		}
+	}
+	EACH(i) {
+		REAL gap = r * r - size[i], half;
+
+		half = (REAL)sqrt((double)((gap > 0 ? gap : 0) / w->p.dd)) * (REAL)(1 + 8 * ALD_U) +
+		       pad * (REAL)sqrt(1 / (double)w->p.dd);
+		f->enter[i] = along[i] - half > t0 ? along[i] - half : t0;
+		in[i] = !(gap < 0) & !(f->enter[i] > (along[i] + half < t1 ? along[i] + half : t1));
+	}
+}
+
+/* The same of the children's boxes. f has the ray's way into its nearer and out of its farther halves. */
+ALD_INLINE void NAMED(open_boxes)(const struct WALK *w, struct FRAME *f, REAL t0, REAL t1, LANE in[8])
+{
+	static const int64_t far[3][8] = CHILD_BITS;
+	REAL leave[8];
 
 	EACH(i) {
 		f->enter[i] = t0;
@@ -151,6 +194,19 @@ ALD_INLINE void NAMED(open_cell)(const struct WALK *w, struct FRAME *f, uint32_t
 	}
 	EACH(i)
 		in[i] = !(f->enter[i] > leave[i]);
+}
+
+/* f has its centre, and what open_boxes() needs: the rest. */
+ALD_INLINE void NAMED(open_cell)(const struct WALK *w, struct FRAME *f, uint32_t node, REAL scale)
+{
+	REAL best = NAMED(best)(w), t1 = best < w->t1 ? best : w->t1;
+	uint32_t kids = w->a->kids[node];
+	LANE in[8];
+
+	if (w->a->ball > 0)
+		NAMED(open_balls)(w, f, scale, w->t0, t1, in);
+	else
+		NAMED(open_boxes)(w, f, w->t0, t1, in);
 	if (w->flip & 1)
 		kids = (kids >> 1 & 0x55) | (kids & 0x55) << 1;
 	if (w->flip & 2)
@@ -179,6 +235,26 @@ ALD_INLINE void NAMED(descend)(const struct WALK *w, const struct FRAME *f, stru
 	}
 }
 
+ALD_INLINE uint32_t NAMED(kid_of)(const struct WALK *w, const struct FRAME *f, unsigned kid)
+{
+	size_t at = 8 * (size_t)f->node + (kid ^ w->flip);
+
+	return w->a->wide ? w->a->wide[at] : w->a->narrow[at];
+}
+
+ALD_INLINE int NAMED(meet_leaf)(struct WALK *w, uint32_t index, int depth, int any)
+{
+	const struct leaf *leaf = &w->a->leaf[index - w->a->inner];
+
+	if (w->count)
+		count_leaf(w->a, w->seen, w->count, leaf);
+	if (!NAMED(test_leaf)(w, leaf, any))
+		return 0;
+	if (w->count)
+		NAMED(count_useful)(w, depth);
+	return 1;
+}
+
 ALD_INLINE int NAMED(walk_down)(struct WALK *w, int any)
 {
 	const ald_accel *a = w->a;
@@ -186,7 +262,7 @@ ALD_INLINE int NAMED(walk_down)(struct WALK *w, int any)
 	REAL scale = (REAL)0.5;
 	int depth = 0, found = 0;
 
-	NAMED(open_cell)(w, f, 0);
+	NAMED(open_cell)(w, f, 0, scale);
 	for (;;) {
 		uint32_t next;
 		unsigned kid;
@@ -204,25 +280,47 @@ ALD_INLINE int NAMED(walk_down)(struct WALK *w, int any)
 			continue;
 		if (w->count)
 			w->count[ALD_COUNT_VOLUME_HITS]++;
-		next = 8 * f->node + (kid ^ w->flip);
-		next = a->wide ? a->wide[next] : a->narrow[next];
+		next = NAMED(kid_of)(w, f, kid);
 		if (next < a->inner) {
 			NAMED(descend)(w, f, f + 1, kid, scale);
-			NAMED(open_cell)(w, ++f, next);
-			depth++;
 			scale /= 2;
+			NAMED(open_cell)(w, ++f, next, scale);
+			depth++;
 			continue;
 		}
-		if (w->count)
-			count_leaf(a, w->seen, w->count, &a->leaf[next - a->inner]);
-		if (NAMED(test_leaf)(w, &a->leaf[next - a->inner], any)) {
-			found = 1;
-			if (w->count)
-				NAMED(count_useful)(w, depth);
-			if (any)
-				return 1;
-		}
+		found |= NAMED(meet_leaf)(w, next, depth, any);
+		if (found && any)
+			return 1;
 	}
+}
+
+/* The same by calling itself: what the loop saves can be measured so (walk=recursion). */
+WIDE static int NAMED(walk_calls)(struct WALK *w, uint32_t node, int depth, REAL scale, int any)
+{
+	struct FRAME *f = &w->frame[depth];
+	int found = 0;
+
+	NAMED(open_cell)(w, f, node, scale);
+	while (f->todo) {
+		unsigned kid = (unsigned)__builtin_ctz(f->todo);
+		uint32_t next;
+
+		f->todo &= (uint8_t)(f->todo - 1);
+		if (f->enter[kid] > NAMED(best)(w))
+			continue;
+		if (w->count)
+			w->count[ALD_COUNT_VOLUME_HITS]++;
+		next = NAMED(kid_of)(w, f, kid);
+		if (next < w->a->inner) {
+			NAMED(descend)(w, f, f + 1, kid, scale);
+			found |= NAMED(walk_calls)(w, next, depth + 1, scale / 2, any);
+		} else {
+			found |= NAMED(meet_leaf)(w, next, depth, any);
+		}
+		if (found && any)
+			break;
+	}
+	return found;
 }
 
 /* The ray's way through everything's box; 0: it misses it. */
@@ -235,6 +333,14 @@ ALD_INLINE int NAMED(enter_root)(struct WALK *w)
 	PREPARE(w);
 	w->t1 = NAMED(best)(w);
 	w->flip = w->p.sign[0] | w->p.sign[1] << 1 | w->p.sign[2] << 2;
+	if (a->ball > 0) {
+		ald_vec c = { a->centre[0], a->centre[1], a->centre[2] };
+		double enter;
+
+		for (unsigned k = 0; k < 3; k++)
+			f->c[k] = (REAL)a->centre[k];
+		return SPHERE_RAY(&w->p, &c, a->ball + a->ball_pad, w->ray->tmin, w->hit->t, &enter) && !(enter > w->hit->t);
+	}
 	for (unsigned k = 0; k < 3; k++) {
 		REAL near_o = NEAR(&w->p, k), far_o = FAR(&w->p, k), inv = w->p.inv[k], c = (REAL)a->centre[k];
 		REAL h = (REAL)(w->p.sign[k] ? -a->half[k] : a->half[k]);
@@ -271,7 +377,7 @@ ALD_INLINE int NAMED(trace)(const ald_accel *a, ald_query *q, const ald_ray *ray
 	if (count)
 		count[ALD_COUNT_VOLUME_HITS]++;
 	if (!a->root_is_leaf)
-		return NAMED(walk_down)(&w, any);
+		return a->calls ? NAMED(walk_calls)(&w, 0, 0, (REAL)0.5, any) : NAMED(walk_down)(&w, any);
 	if (count)
 		count_leaf(a, w.seen, count, &a->leaf[0]);
 	found = NAMED(test_leaf)(&w, &a->leaf[0], any);
@@ -290,5 +396,7 @@ ALD_INLINE int NAMED(trace)(const ald_accel *a, ald_query *q, const ald_ray *ray
 #undef BLOCK
 #undef BLOCKS
 #undef TRIANGLE_N
+#undef SPHERE_RAY
+#undef PAD
 #undef FRAME
 #undef WALK

@@ -66,7 +66,8 @@ int flat_stat(const struct flat *, uint32_t i, const char **name, double *value)
 int flat_tour(const struct flat *, const ald_ray *only, ald_visit *, void *arg);
 
 /* Does the ray enter the volume around a range, at most as far as tmax, and where. */
-ALD_INLINE int flat_enter(const struct flat *f, uint32_t range, const ald_prep *p, double tmin, double tmax, double *enter)
+ALD_INLINE int flat_enter(const struct flat *f, uint32_t range, const ald_prep *p, double tmin, double tmax,
+			  double *enter)
 {
 	if (f->kind == FLAT_BALL)
 		return ald_sphere_ray(p, &f->ball[range].centre, f->ball[range].radius, tmin, tmax, enter);

@@ -311,7 +311,8 @@ V uint32_t sweep_point(const struct group *g, uint32_t part, uint32_t kz, const 
 		wide c = wide_mul_add(sy, cy, wide_mul_add(sx, cx, cz));
 
 		found = note(out, found, i,
-			     wide_outside(wide_min(a, wide_min(b, c)), least, wide_max(a, wide_max(b, c)), most), part);
+			     wide_outside(wide_min(a, wide_min(b, c)), least, wide_max(a, wide_max(b, c)), most),
+			     part);
 	}
 	return found;
 }
@@ -339,8 +340,8 @@ static __attribute__((noinline)) int confirm(struct pack *p, uint32_t i, uint32_
 		if (!ald_sees(prims, &p->ray[i], id))
 			continue;
 		if (fast) {
-			found |= ald_fast_triangle(&p->prep[i].fast, &p->ray[i], &fast[k / ALD_LANES], k % ALD_LANES, id,
-						   &p->hit[i]);
+			found |= ald_fast_triangle(&p->prep[i].fast, &p->ray[i], &fast[k / ALD_LANES], k % ALD_LANES,
+						   id, &p->hit[i]);
 			continue;
 		}
 		if (f->kind == FLAT_NONE && prims->origin)

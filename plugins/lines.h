@@ -71,7 +71,8 @@ static inline __attribute__((unused)) void space_of(const ald_box *all, double p
 }
 
 /* Seat k of a group. A seat that stays empty gets another triangle once more: it is not to be asked about. */
-static inline __attribute__((unused)) void group_set(const struct space *s, struct group *g, unsigned k, const ald_vec v[3])
+static inline __attribute__((unused)) void group_set(const struct space *s, struct group *g, unsigned k,
+						     const ald_vec v[3])
 {
 	double x[3][3], e[3][3], longest = 0, grow;
 	int power;

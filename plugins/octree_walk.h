@@ -339,7 +339,8 @@ ALD_INLINE int NAMED(enter_root)(struct WALK *w)
 
 		for (unsigned k = 0; k < 3; k++)
 			f->c[k] = (REAL)a->centre[k];
-		return SPHERE_RAY(&w->p, &c, a->ball + a->ball_pad, w->ray->tmin, w->hit->t, &enter) && !(enter > w->hit->t);
+		return SPHERE_RAY(&w->p, &c, a->ball + a->ball_pad, w->ray->tmin, w->hit->t, &enter) &&
+		       !(enter > w->hit->t);
 	}
 	for (unsigned k = 0; k < 3; k++) {
 		REAL near_o = NEAR(&w->p, k), far_o = FAR(&w->p, k), inv = w->p.inv[k], c = (REAL)a->centre[k];

@@ -8,10 +8,15 @@ out. A volume hit is useful if what is inside is hit too. Counts come from one r
 and "render" are medians of such runs, "whole run" that of runs without counters, from the start of the
 program to its end. Runs of all structures take turns.
 
-    lecture.py [--runs N]
+Then rays alone, without start, shading and writing (lecture_rays.c): times as ratios to plain brute force, for all
+accelerators, octrees by depth, of boxes and of spheres, with narrow and wide indices, in a loop and by recursion; and
+how many tests a second none makes.
+
+    lecture.py [--runs N] [--rays]      (--rays: only the second part)
 """
 import argparse
 import os
+import subprocess
 import sys
 import tempfile
 
@@ -19,6 +24,20 @@ import measure_runs as m
 
 STRUCTURES = ['none', 'sphere', 'box'] + ['octree:depth=%d,leaf=1,price=0' % d for d in range(6)]
 TRIANGLES = 3072
+RAYS = (['none', 'sphere', 'box', 'bvh8', 'octree'] +
+        ['octree:' + p for p in ('leaf=8', 'leaf=24', 'index=16', 'index=32', 'walk=recursion', 'node=sphere')] +
+        ['octree:%sdepth=%d,leaf=1,price=0' % (node, d) for node in ('', 'node=sphere,') for d in range(9)])
+SETS = ['auto', 'avx2', 'sse', 'plain']
+
+
+def rays_alone(runs):
+    tool = os.path.join(os.environ['ALIDADE_BUILD'], 'tests', 'bench', 'lecture_rays')
+    sets = ['none:isa=' + s for s in SETS]
+    if 'avx2' not in open('/proc/cpuinfo').read():
+        sets = ['none']
+    for kind, engines in (('camera', RAYS), ('camera', sets), ('lamp', sets), ('any', sets)):
+        print('\nrays alone, %s, medians of %d rounds:' % (kind, runs), flush=True)
+        subprocess.run([tool, '-n', str(runs), '-k', kind] + engines, check=True)
 
 
 def number(n):
@@ -40,7 +59,11 @@ def main():
     options = argparse.ArgumentParser(description='the lecture\'s table')
     options.add_argument('--runs', type=int, default=5, help='runs of each structure (5)')
     options.add_argument('--threads', type=int, default=1, help='threads (1)')
+    options.add_argument('--rays', action='store_true', help='rays alone, no whole runs')
     options = options.parse_args()
+    if options.rays:
+        rays_alone(options.runs)
+        return
     scene = os.path.join(os.environ['ALIDADE_SRC'], 'scenes', 'lecture', 'lecture.pov')
     reports = {name: [] for name in STRUCTURES}
     plain = {name: [] for name in STRUCTURES}
@@ -62,6 +85,7 @@ def main():
     counted = {(r['rays']['camera']['cast'], r['rays']['camera']['hit']) for rs in reports.values() for r in rs}
     if len(counted) != 1:
         sys.exit('the structures do not agree on the rays that hit: %s' % sorted(counted))
+    rays_alone(options.runs)
 
 
 if __name__ == '__main__':

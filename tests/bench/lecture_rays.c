@@ -317,7 +317,8 @@ int main(int argc, char **argv)
 		else
 			return 2;
 	}
-	if (b->rounds < 1 || b->rounds > ROUNDS || (strcmp(kind, "camera") && strcmp(kind, "lamp") && strcmp(kind, "any")))
+	if (b->rounds < 1 || b->rounds > ROUNDS ||
+	    (strcmp(kind, "camera") && strcmp(kind, "lamp") && strcmp(kind, "any")))
 		return 2;
 	if (optind < argc) {
 		name = argv + optind;

@@ -18,8 +18,8 @@
 
 /* ALIDADE_TEST_ACCEL may name another one, in place of the last. */
 static const char *spec[] = {
-	"none:isa=plain", "none:isa=sse", "none:isa=avx2", "box", "sphere", "box:isa=avx2", "sphere:isa=plain", "octree", "octree:index=32", "octree:depth=0", "octree:node=sphere,leaf=8",
-	"octree:walk=recursion,leaf=3", "octree:leaf=1,depth=5,price=0",
+	"none:isa=plain", "box:isa=avx2", "sphere:isa=sse", "octree", "octree:index=32,walk=recursion",
+	"octree:node=sphere,leaf=8", "octree:depth=0", "octree:leaf=1,depth=5,price=0",
 	"octree:leaf=1,depth=6,price=0,shape=box", "bvh8", "bvh8:isa=plain,leaf=1,interleave=1",
 	"bvh8:isa=sse,leaf=28,interleave=3,split=1",
 	"bvh8:isa=avx2,interleave=16,split=100", "bvh8:isa=avx512,leaf=5,interleave=8",

@@ -18,6 +18,11 @@ export ALIDADE ALIDADE_SRC ALIDADE_BUILD ALIDADE_ACCEL_PATH PYTHONDONTWRITEBYTEC
 which=${1:-both}
 [ $# -eq 0 ] || shift
 python=python3
+case $which in # what is not made otherwise
+lecture | both)
+	make -C "$ALIDADE_BUILD" -s tests/bench/lecture_rays || exit 1
+	;;
+esac
 case $which in
 lecture) ;;
 rays)

@@ -150,7 +150,6 @@ static void test_most_accurate(void **state)
 	struct trade_setting *finest = add(t, 5, 0.1, 0.001, 5), *faster = add(t, 1.5, 0.1, 0.01, 5);
 	const struct trade_verdict *v;
 
-	(void)base;
 	v = ask(t, (double)NAN, 3);
 	assert_true(v->outcome == TRADE_CLEAR && v->pick == faster);
 	v = ask(t, (double)NAN, 1.55); /* the interval's upper end counts */
@@ -162,6 +161,19 @@ static void test_most_accurate(void **state)
 	faster->runs = 0;
 	v = ask(t, (double)NAN, 3);
 	assert_true(v->pick == finer);
+	/* What differs by less than a hundredth is as accurate, and the simpler of two that are as fast is better. */
+	t->settings = 2;
+	for (uint32_t i = 0; i < finer->runs; i++) {
+		finer->run[i].value[TRADE_PROCESS] = base->run[i].value[TRADE_PROCESS];
+		finer->run[i].value[TRADE_RMSE] = 0.0995;
+	}
+	v = ask(t, (double)NAN, 3);
+	assert_true(v->outcome == TRADE_TIED && v->pick == base);
+	for (uint32_t i = 0; i < finer->runs; i++)
+		finer->run[i].value[TRADE_RMSE] = 0.0985;
+	v = ask(t, (double)NAN, 3);
+	assert_true(v->outcome == TRADE_CLEAR && v->pick == finer);
+	t->settings = 4;
 	/* An error below 0, as biases have, is as bad as one above. */
 	for (uint32_t i = 0; i < finest->runs; i++)
 		finest->run[i].value[TRADE_RMSE] = -0.5;

@@ -150,7 +150,7 @@ static bool better(const struct trade *t, const struct trade_setting *a, const s
 {
 	struct trade_range x = error_of(t, a), y = error_of(t, b);
 
-	if (x.high < y.low || y.high < x.low)
+	if (x.high < TRADE_GAIN * y.low || y.high < TRADE_GAIN * x.low)
 		return x.median < y.median;
 	if (options_of(t, a) != options_of(t, b))
 		return options_of(t, a) < options_of(t, b);
@@ -196,7 +196,7 @@ static uint32_t keep_accurate(const struct trade *t, const struct trade_setting 
 			best = error_of(t, list[i]);
 	}
 	for (uint32_t i = 0; i < n; i++) {
-		if (error_of(t, list[i]).low <= best.high)
+		if (TRADE_GAIN * error_of(t, list[i]).low <= best.high)
 			list[kept++] = list[i];
 	}
 	return kept;

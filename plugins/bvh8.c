@@ -19,7 +19,7 @@ static const ald_param params[] = {
 	{ "leaf", "triangles of a leaf at most", ALD_INT, 8, 1, SEATS * BLOCKS_MAX, NULL },
 	{ "isa", "instruction set; auto: the best there is", ALD_CHOICE, ISA_AUTO, 0, 4, isa_label },
 	{ "interleave",
-	  "rays a thread walks with in turns, where they are not coherent; 0: 16 if the tree exceeds a cache, else 1",
+	  "rays a thread walks with in turns, where they are not coherent; 0: 48, the most; 1: all alone",
 	  ALD_INT, 0, 0, INTERLEAVE_MAX, NULL },
 	{ NULL, NULL, 0, 0, 0, 0, NULL },
 };
@@ -88,7 +88,7 @@ static int bvh8_build(const ald_host *host, const ald_prims *prims, const double
 		status = host->progress(host->ctx, 0.8) ? ALD_CANCELLED : bvh8_widen(&b);
 	b.a->far = b.a->bytes > CACHE;
 	if (!b.a->interleave)
-		b.a->interleave = b.a->far ? INTERLEAVE_MAX : 1;
+		b.a->interleave = INTERLEAVE_MAX;
 	host->free(host->ctx, b.ref);
 	host->free(host->ctx, b.twig);
 	if (status)

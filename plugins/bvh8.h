@@ -34,8 +34,8 @@
 #define BOX_ERROR 0x1p-21f
 #define EDGE_ERROR 0x1p-20f
 #define LEVELS_MAX 56u /* of wide nodes, whatever the scene is */
-#define INTERLEAVE_MAX 16u
-#define STACK_MAX ((WIDTH - 1) * LEVELS_MAX + 1)
+#define INTERLEAVE_MAX 48u
+#define STACK_MAX ((WIDTH - 1) * LEVELS_MAX + 2)
 
 /* A reference to a child: a node's number; or a leaf's first block and how many it has; or where in
  * other[] there is a count and so many ids. EMPTY: no child. */

@@ -1,24 +1,23 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * A ray as bvh8's floats see it, and what it does with nodes and blocks. See bvh8.h for coordinates and
+ * A ray on its way through bvh8, and what it does with nodes and blocks. See bvh8.h for coordinates and
  * error bounds.
  *
  * Boxes: Ize: Robust BVH Ray Traversal, JCGT 2(2), 2013, but with absolute bounds. Blocks: the sheared edge
  * functions of Woop, Benthin, Wald: Watertight Ray/Triangle Intersection, JCGT 2(1), 2013.
  *
  * Most triangles that are hit are so beyond the doubt of floats. Then the upper bound of the distance culls
- * what lies behind at once, and the doubles are asked at the walk's end, for the nearest only; where any hit
- * will do they are not asked at all.
+ * what lies behind at once, and the doubles are asked after the walk, for the nearest only; where any hit will
+ * do they are not asked at all.
  */
 #ifndef BVH8_BEAM_H
 #define BVH8_BEAM_H
 
-#include "bvh8.h"
-#include "bvh8_vec.h"
+#include "bvh8_ask.h"
 
 #define PENDING 8u
-#define DEPTH_ERROR (4 * EDGE_ERROR) /* of a distance along the main axis */
+#define DONE EMPTY /* the next step of a walk that has ended */
 
 struct beam {
 	float inverse[3], near_o[3], far_o[3]; /* plane * inverse + near_o is the entrance */
@@ -31,34 +30,20 @@ struct beam {
 	float depth, back; /* z = t depth, t = z back */
 	float grow, reach; /* of slacks, for rays from far away; twice a triangle's extent is slack * reach */
 	uint32_t axis[3];
-	uint32_t pending; /* triangles that may be hit, to be asked about at the end */
-	uint32_t id[PENDING];
-	float low[PENDING]; /* no t of theirs is less */
-	float high[PENDING]; /* of those that are hit for sure, none is more; else infinite */
+	uint32_t pending; /* triangles that may be hit, to be asked about */
+	uint32_t id[PENDING + SEATS];
+	float low[PENDING + SEATS]; /* no t of theirs is less */
+	float high[PENDING + SEATS]; /* of those that are hit for sure, none is more; else infinite */
+	uint32_t found, asked; /* surely hit, where any will do; some are asked about already */
+	uint32_t ref, top, index; /* where it is; how high the stack; which ray of the batch */
+	uint32_t place; /* see bvh8_walk.h */
 	double shift, tscale; /* t of the walk = (t - shift) * tscale */
 	const ald_ray *ray;
-	ald_hit *hit;
-	ald_prep prep;
+	ald_hit *hit, own; /* own: where any will do */
+	/* The stack: below what is on it stands DONE, with an entrance before all. */
+	float enter[STACK_MAX + WIDTH]; /* where it is entered */
+	uint32_t below[STACK_MAX + WIDTH]; /* what is still to be seen */
 };
-
-/* 2^-exponent and 2^exponent of x, a normal number, as frexp() has it. */
-V void units(double x, double *down, double *up)
-{
-	uint64_t b, c;
-
-	memcpy(&b, &x, sizeof(b));
-	b = b >> 52 & 2047;
-	c = (b + 1) << 52;
-	b = (2045 - b) << 52;
-	memcpy(down, &b, sizeof(b));
-	memcpy(up, &c, sizeof(c));
-}
-
-V float walk_t(const struct beam *b, double t)
-{
-	t = (t - b->shift) * b->tscale;
-	return (float)(t < 8 ? (t > -8 ? t : -8) : 8);
-}
 
 V void beam_cut(struct beam *b, float t)
 {
@@ -69,76 +54,76 @@ V void beam_cut(struct beam *b, float t)
 /* hit->t is new. */
 V void beam_limit(struct beam *b)
 {
-	float t = walk_t(b, b->hit->t) * (1 + 0x1p-20f) + 0x1p-30f;
+	double x = (b->hit->t - b->shift) * b->tscale;
+	float t = (float)(x < 8 ? (x > -8 ? x : -8) : 8) * (1 + 0x1p-20f) + 0x1p-30f;
 
 	if (t < b->tfar)
 		beam_cut(b, t);
 }
 
-V void beam_axes(struct beam *b, const ald_accel *a, double unit, double back)
+/* From lane i of a lot, ray index of the batch. The root is on the stack. */
+V void beam_begin(const ald_accel *a, struct beam *b, const struct lot *l, unsigned i, const struct batch *s,
+		  uint32_t index)
 {
-	const ald_prep *p = &b->prep;
-	float pad = (float)((4 * p->pad + 2 * a->prims->pad) * a->scale), error = a->fast ? 0 : BOX_ERROR + pad;
-	float o[3];
+	uint32_t kz = (l->main[1] >> i & 1) + 2 * (l->main[2] >> i & 1), kx = kz == 2 ? 0 : kz + 1;
+	uint32_t ky = kx == 2 ? 0 : kx + 1;
+	float far = 1 + 4 * l->pad[i] / EDGE_ERROR;
 
 	for (unsigned k = 0; k < 3; k++) {
-		float i = (float)(p->inv[k] * back);
+		uint32_t down = l->sign[k] >> i & 1;
 
-		o[k] = (float)(((p->o[k] - a->centre[k]) + b->shift * p->d[k]) * a->scale);
-		/* Over all the way there is, 2^-40 is less than rounding. */
-		i = i < 0x1p40f ? (i > -0x1p40f ? i : -0x1p40f) : 0x1p40f;
-		b->inverse[k] = i;
-		b->near_o[k] = -(o[k] + (p->sign[k] ? -error : error)) * i;
-		b->far_o[k] = -(o[k] + (p->sign[k] ? error : -error)) * i;
-		b->near[k] = 2 * k + p->sign[k];
-		b->far[k] = b->near[k] ^ 1;
+		b->inverse[k] = l->inverse[k][i];
+		b->near_o[k] = l->near_o[k][i];
+		b->far_o[k] = l->far_o[k][i];
+		b->near[k] = 2 * k + down;
+		b->far[k] = 2 * k + 1 - down;
 	}
-	b->axis[1] = p->ky;
-	b->axis[2] = p->kz;
-	b->side = p->sign[p->kz] ? -1.0f : 1.0f;
-	b->o[0] = o[p->kx];
-	b->o[1] = o[p->ky];
-	b->o[2] = o[p->kz] * b->side;
-	b->shear[0] = (float)p->shear[0] * b->side;
-	b->shear[1] = (float)p->shear[1] * b->side;
-	b->depth = (float)(p->d[p->kz] * unit) * b->side;
-	b->back = b->inverse[p->kz] * b->side;
-	b->zerror = 1 + 4 * pad / EDGE_ERROR;
-	b->grow = b->zerror * b->zerror;
-	b->zerror *= DEPTH_ERROR;
-	b->reach = 1 / (6 * EDGE_ERROR) / b->grow;
-	if (a->fast)
-		b->grow = b->zerror = 0;
+	b->side = l->sign[kz] >> i & 1 ? -1.0f : 1.0f;
+	b->axis[0] = kx;
+	b->axis[1] = ky;
+	b->axis[2] = kz;
+	b->o[0] = l->o[kx][i];
+	b->o[1] = l->o[ky][i];
+	b->o[2] = l->o[kz][i] * b->side;
+	b->shear[0] = l->shear[0][i];
+	b->shear[1] = l->shear[1][i];
+	b->depth = l->depth[i];
+	b->back = b->inverse[kz] * b->side;
+	b->zerror = a->fast ? 0 : far * DEPTH_ERROR;
+	b->grow = a->fast ? 0 : far * far;
+	b->reach = 1 / (6 * EDGE_ERROR) / (far * far);
+	b->sure_lo = l->first[i] * b->depth + b->zerror;
+	b->sure_hi = l->last[i] * b->depth - b->zerror;
+	beam_cut(b, l->tfar[i]);
+	b->pending = b->found = b->asked = 0;
+	b->index = index;
+	b->shift = l->shift[i];
+	b->tscale = l->tscale[i];
+	b->ray = &s->ray[index];
+	b->hit = s->hit ? &s->hit[index] : &b->own;
+	if (!s->hit)
+		b->own = (ald_hit){ .t = b->ray->tmax, .prim = ALD_NONE };
+	b->enter[0] = b->enter[1] = -INFINITY;
+	b->below[0] = DONE;
+	b->below[1] = a->root;
+	b->top = 2;
 }
 
-/* 0: the ray misses everything. A ray that misses all triangles by its numbers alone has axis[0] > 2. */
-V int beam_begin(const ald_accel *a, struct beam *b, const ald_ray *ray, ald_hit *hit)
+V void beam_pop(struct beam *b)
 {
-	ald_prep *p = &b->prep;
-	double unit, back;
+	uint32_t top = b->top;
 
-	b->ray = ray;
-	b->hit = hit;
-	b->pending = 0;
-	ald_ray_prep(&a->frame, ray, p);
-	b->axis[0] = p->shear[0] == p->shear[0] ? p->kx : 3;
-	if (!ald_box_ray(p, &a->box, ray->tmin, hit->t, &b->shift))
-		return 0;
-	if (b->axis[0] > 2)
-		return 1;
-	units(p->d[p->kz], &unit, &back);
-	b->tscale = a->scale * back;
-	beam_axes(b, a, unit, back);
-	b->sure_lo = walk_t(b, ray->tmin) * b->depth + b->zerror;
-	b->sure_hi = walk_t(b, hit->t) * b->depth - b->zerror;
-	b->tfar = INFINITY;
-	beam_limit(b);
-	return 1;
+	do
+		top--;
+	while (b->enter[top] > b->tfar);
+	b->top = top;
+	b->ref = b->below[top];
 }
 
-/* The children that the ray enters, and where. */
-V uint32_t beam_node(const struct beam *b, const struct node *n, float enter[WIDTH])
+/* Through a node: what the ray enters goes on the stack, the nearest last. */
+V void beam_node(const ald_accel *a, struct beam *b)
 {
+	const struct node *n = &a->node[b->ref];
 	f8 t0 = f8_mul_add(f8_load(n->plane[b->near[0]]), f8_all(b->inverse[0]), f8_all(b->near_o[0]));
 	f8 t1 = f8_mul_add(f8_load(n->plane[b->far[0]]), f8_all(b->inverse[0]), f8_all(b->far_o[0]));
 	f8 y0 = f8_mul_add(f8_load(n->plane[b->near[1]]), f8_all(b->inverse[1]), f8_all(b->near_o[1]));
@@ -148,8 +133,7 @@ V uint32_t beam_node(const struct beam *b, const struct node *n, float enter[WID
 
 	t0 = f8_max(f8_max(t0, y0), f8_max(z0, f8_all(0)));
 	t1 = f8_min(f8_min(t1, y1), f8_min(z1, f8_all(b->tfar)));
-	f8_store(enter, t0);
-	return f8_le(t0, t1);
+	b->top += f8_order(t0, t1, n->child, b->enter + b->top, b->below + b->top);
 }
 
 struct meeting { /* of a ray with the triangles of a block */
@@ -186,14 +170,14 @@ V void beam_block(const struct beam *b, const struct block *n, struct meeting *m
 	m->maybe &= f4_le(m->zmin, f4_all(b->zfar));
 }
 
-/* Bounds on the z of a hit, low[1] for the lanes that are hit for sure, at a t that counts: those that are
+/* Bounds on the z of a hit, high for the lanes that are hit for sure, at a t that counts: those that are
  * returned.
  *
  * Where a coordinate is wider than a hit's can be, slack is no bound.
  * z is the mean of the corners' by weights that are off by slack each; with S the spread of the corners, D the
  * sum of the weights, it is off by at most 3 slack S / (D - 3 slack), and a few roundings, which zerror
  * covers, as it does what the kernel's own t may be off by, in doubles and with D > 3 slack. */
-V uint32_t beam_sure(const struct beam *b, const struct meeting *m, float low[2][SEATS], float high[SEATS])
+V uint32_t beam_sure(const struct beam *b, const struct meeting *m, f4 *low, f4 *high)
 {
 	f4 sum = f4_add(f4_add(m->a, m->b), m->c), three = f4_mul(m->slack, f4_all(3));
 	f4 z = f4_mul_add(m->a, m->az, f4_mul_add(m->b, m->bz, f4_mul(m->c, m->cz)));
@@ -211,22 +195,10 @@ V uint32_t beam_sure(const struct beam *b, const struct meeting *m, float low[2]
 	sure |= f4_le(f4_max(m->a, f4_max(m->b, m->c)), f4_negate(m->slack));
 	sure &= f4_le(m->wide, f4_mul(m->slack, f4_all(b->reach)));
 	sure &= f4_le(hi, f4_all(b->sure_hi)) & f4_le(f4_all(b->sure_lo), lo);
-	f4_store(high, hi);
-	f4_store(low[0], unsure);
-	f4_store(low[1], f4_max(lo, unsure));
+	sure &= m->maybe;
+	*high = hi;
+	*low = f4_max(f4_pick(sure, lo, unsure), unsure);
 	return sure;
-}
-
-V int beam_triangle(const ald_accel *a, struct beam *b, uint32_t id)
-{
-	const ald_prims *prims = a->prims;
-	ald_vec v[3];
-
-	ald_corners(prims, id, prims->origin ? ald_group_of(prims, id) : 0, v);
-	if (!ald_triangle(&b->prep, b->ray, v, id, b->hit))
-		return 0;
-	beam_limit(b);
-	return 1;
 }
 
 /* In exact order the host rounds the winner's t. So where floats alone tell that a triangle is hit, at a t that
@@ -236,7 +208,7 @@ V int beam_certain(struct beam *b)
 	double low, high, back = 1 / b->tscale;
 	uint32_t best = 0;
 
-	if (b->hit->prim != ALD_NONE)
+	if (b->hit->prim != ALD_NONE || b->asked || !b->pending)
 		return 0;
 	for (uint32_t i = 1; i < b->pending; i++)
 		best = b->low[i] < b->low[best] ? i : best;
@@ -250,88 +222,78 @@ V int beam_certain(struct beam *b)
 	high = (double)b->high[best] * back + b->shift;
 	*b->hit = (ald_hit){ .t = high + 4 * ALD_U * fabs(high), .u = low - 4 * ALD_U * fabs(low),
 			     .prim = b->id[best] };
-	b->pending = 0;
 	return 1;
 }
 
-/* Ask the kernel about what is pending, the nearest first. */
-V void beam_settle(const ald_accel *a, struct beam *b)
+/* Ask the doubles about what is pending and still in reach. The first few without a branch: how many there are
+ * is not to be guessed. */
+V void beam_settle(const ald_accel *a, const struct batch *s, struct asked *q, struct beam *b)
 {
-	if (a->frame.exact && b->pending && beam_certain(b))
-		return;
-	while (b->pending) {
-		uint32_t best = 0, id;
+	uint32_t n = b->found ? 0 : b->pending;
 
-		for (uint32_t i = 1; i < b->pending; i++)
-			best = b->low[i] < b->low[best] ? i : best;
-		id = b->id[best];
-		if (b->low[best] > b->tfar)
-			b->pending = 1; /* all others are farther still */
-		else
-			beam_triangle(a, b, id);
-		b->id[best] = b->id[--b->pending];
-		b->low[best] = b->low[b->pending]; /* high is of no use any more */
+	if (q->n > ASKED_MAX - PENDING - SEATS)
+		ask(a, s, q);
+	for (uint32_t i = 0; i < SEATS; i++) {
+		q->ray[q->n] = b->index;
+		q->id[q->n] = b->id[i];
+		q->n += (i < n) & !(b->low[i] > b->tfar);
 	}
+	for (uint32_t i = SEATS; i < n; i++) {
+		q->ray[q->n] = b->index;
+		q->id[q->n] = b->id[i];
+		q->n += !(b->low[i] > b->tfar);
+	}
+	b->pending = 0;
 }
 
-V void beam_pend(const ald_accel *a, struct beam *b, uint32_t id, float low, float high)
+/* Nothing more comes. */
+V void beam_end(const ald_accel *a, const struct batch *s, struct asked *q, struct beam *b, int any)
 {
-	uint32_t kept = 0;
-
-	if (b->pending == PENDING) {
-		for (uint32_t i = 0; i < PENDING; i++) {
-			if (b->low[i] > b->tfar)
-				continue;
-			b->id[kept] = b->id[i];
-			b->high[kept] = b->high[i];
-			b->low[kept++] = b->low[i];
-		}
-		b->pending = kept;
-		if (kept == PENDING)
-			beam_settle(a, b);
-	}
-	b->id[b->pending] = id;
-	b->high[b->pending] = high;
-	b->low[b->pending++] = low;
+	if (any)
+		s->hidden[b->index] |= (uint8_t)b->found;
+	if (any || !a->frame.exact || !beam_certain(b))
+		beam_settle(a, s, q, b);
 }
 
-V int beam_blocks(const ald_accel *a, struct beam *b, uint32_t ref, int any)
+/* The lanes of bits that the ray sees. */
+V uint32_t beam_sees(const ald_accel *a, const struct beam *b, const struct block *n, uint32_t bits)
 {
-	const struct block *n = &a->block[ref & REF_INDEX];
-	const struct block *end = n + (ref >> REF_SHIFT & 7) + 1;
-	float low[2][SEATS] __attribute__((aligned(16))), high[SEATS] __attribute__((aligned(16)));
-	int found = 0;
-
-	for (; n < end; n++) {
-		struct meeting m;
-		uint32_t sure;
-
-		beam_block(b, n, &m);
-		if (!m.maybe)
-			continue;
-		sure = beam_sure(b, &m, low, high);
-		for (; m.maybe; m.maybe &= m.maybe - 1) {
-			unsigned k = (unsigned)__builtin_ctz(m.maybe);
-			uint32_t id = n->id[k];
-			float z = low[sure >> k & 1][k], t = INFINITY;
-
-			if (!ald_sees(a->prims, b->ray, id))
-				continue;
-			if (any) {
-				if (sure >> k & 1 || beam_triangle(a, b, id))
-					return 1;
-				continue;
-			}
-			found = 1;
-			if (sure >> k & 1) {
-				t = high[k] * b->back * (1 + 0x1p-20f);
-				if (t < b->tfar)
-					beam_cut(b, t);
-			}
-			beam_pend(a, b, id, z * b->back * (z > 0 ? 1 - 0x1p-20f : 1 + 0x1p-20f), t);
-		}
+	bits &= ~f4_same(n->id, b->ray->skip);
+	if (a->prims->mask) {
+		for (unsigned k = 0; k < SEATS; k++)
+			bits &= ~((uint32_t)(!ald_sees(a->prims, b->ray, n->id[n->slack[k] < 0 ? 0 : k])) << k);
 	}
-	return found;
+	return bits;
+}
+
+/* Whatever the block may hold, in the same steps. */
+V void beam_meet(const ald_accel *a, const struct batch *s, struct asked *q, struct beam *b, const struct block *n,
+		 struct meeting *m, int any)
+{
+	f4 low, high, back = f4_all(b->back);
+	uint32_t sure;
+	float least;
+
+	m->maybe = beam_sees(a, b, n, m->maybe);
+	sure = beam_sure(b, m, &low, &high);
+	low = f4_mul(low, back);
+	low = f4_sub_mul(low, f4_size(low), f4_all(0x1p-20f));
+	high = f4_pick(sure, f4_mul(high, f4_mul(back, f4_all(1 + 0x1p-20f))), f4_all(INFINITY));
+	f4_pack((float *)&b->id[b->pending], f4_load((const float *)n->id), m->maybe);
+	f4_pack(&b->low[b->pending], low, m->maybe);
+	f4_pack(&b->high[b->pending], high, m->maybe);
+	b->pending += (uint32_t)__builtin_popcount(m->maybe);
+	if (any) {
+		b->found |= sure != 0;
+		b->top = sure ? 1 : b->top;
+	} else {
+		least = f4_least(high);
+		beam_cut(b, least < b->tfar ? least : b->tfar);
+	}
+	if (b->pending > PENDING) {
+		beam_settle(a, s, q, b);
+		b->asked = 1;
+	}
 }
 
 /* Where the line meets a triangle's plane, as the ray has it: the beam's own z goes with where the ray is
@@ -348,80 +310,97 @@ V double beam_plane(const ald_accel *a, const struct beam *b, const struct block
 		unsigned x = i == 2 ? 0 : i + 1, y = x == 2 ? 0 : x + 1;
 		double normal = e[x] * g[y] - e[y] * g[x];
 
-		up += normal * ((double)n->v[0][i][k] - (b->prep.o[i] - a->centre[i]) * a->scale);
-		across += normal * b->prep.d[i];
+		up += normal * ((double)n->v[0][i][k] - (ald_get(&b->ray->org, i) - a->centre[i]) * a->scale);
+		across += normal * ald_get(&b->ray->dir, i);
 	}
 	return up / (across * a->scale);
 }
 
 /* For --precision=fast: what the floats say. With their bounds at 0, a lane that may be hit is. */
-V int beam_blocks_fast(const ald_accel *a, struct beam *b, uint32_t ref, int any)
+V void beam_meet_fast(const ald_accel *a, struct beam *b, const struct block *n, struct meeting *m, int any)
 {
-	const struct block *n = &a->block[ref & REF_INDEX];
-	const struct block *end = n + (ref >> REF_SHIFT & 7) + 1;
 	float w[3][SEATS] __attribute__((aligned(16)));
-	int found = 0;
 
-	for (; n < end; n++) {
-		struct meeting m;
+	f4_store(w[0], m->b);
+	f4_store(w[1], m->c);
+	f4_store(w[2], f4_add(f4_add(m->a, m->b), m->c));
+	for (; m->maybe; m->maybe &= m->maybe - 1) {
+		unsigned k = (unsigned)__builtin_ctz(m->maybe);
+		double t = beam_plane(a, b, n, k);
+		ald_hit *h = b->hit;
 
-		beam_block(b, n, &m);
-		if (!m.maybe)
+		if (n->id[k] == ALD_NONE || !(fabsf(w[2][k]) > FLT_MIN) || !(fabs(t) <= DBL_MAX) ||
+		    !ald_counts(b->ray, t, n->id[k], h) || !ald_sees(a->prims, b->ray, n->id[k]))
 			continue;
-		f4_store(w[0], m.b);
-		f4_store(w[1], m.c);
-		f4_store(w[2], f4_add(f4_add(m.a, m.b), m.c));
-		for (; m.maybe; m.maybe &= m.maybe - 1) {
-			unsigned k = (unsigned)__builtin_ctz(m.maybe);
-			double t = beam_plane(a, b, n, k);
-			ald_hit *h = b->hit;
-
-			if (n->id[k] == ALD_NONE || !(fabsf(w[2][k]) > FLT_MIN) || !(fabs(t) <= DBL_MAX) ||
-			    !ald_counts(b->ray, t, n->id[k], h) || !ald_sees(a->prims, b->ray, n->id[k]))
-				continue;
-			if (any)
-				return 1;
-			*h = (ald_hit){ .t = t, .u = (double)(w[0][k] / w[2][k]), .v = (double)(w[1][k] / w[2][k]),
-					.prim = n->id[k] };
-			beam_limit(b);
-			found = 1;
-		}
+		*h = (ald_hit){ .t = t, .u = (double)(w[0][k] / w[2][k]), .v = (double)(w[1][k] / w[2][k]),
+				.prim = n->id[k] };
+		beam_limit(b);
+		b->found = 1;
+		b->top = any ? 1 : b->top;
 	}
-	return found;
 }
 
-V int beam_others(const ald_accel *a, ald_query *q, struct beam *b, uint32_t ref, int any)
+V void beam_others(const ald_accel *a, ald_query *q, struct beam *b, int any)
 {
-	const uint32_t *list = &a->other[ref & REF_INDEX];
-	int found = 0;
+	const uint32_t *list = &a->other[b->ref & REF_INDEX];
 
 	for (uint32_t i = 1; i <= list[0]; i++) {
 		if (!ald_sees(a->prims, b->ray, list[i]) ||
 		    !a->prims->intersect(a->prims, list[i], q, b->ray, b->hit))
 			continue;
-		found = 1;
-		if (any)
-			return 1;
+		if (any) {
+			b->found = 1;
+			b->top = 1;
+			return;
+		}
 		beam_limit(b);
 	}
-	return found;
 }
 
-V int beam_leaf(const ald_accel *a, ald_query *q, struct beam *b, uint32_t ref, int any)
+/* The first block of a leaf; the rest of it goes on the stack. Where any will do and it is hit, all else leaves
+ * the stack. */
+V void beam_leaf(const ald_accel *a, const struct batch *s, struct asked *q, struct beam *b, int any)
 {
-	if (ref >= REF_OTHERS)
-		return beam_others(a, q, b, ref, any);
-	return a->fast ? beam_blocks_fast(a, b, ref, any) : beam_blocks(a, b, ref, any);
+	const struct block *n = &a->block[b->ref & REF_INDEX];
+	struct meeting m;
+
+	b->enter[b->top] = -INFINITY;
+	b->below[b->top] = b->ref + 1 - (1u << REF_SHIFT);
+	b->top += (b->ref & 7u << REF_SHIFT) != 0;
+	beam_block(b, n, &m);
+	if (a->fast)
+		beam_meet_fast(a, b, n, &m, any);
+	else
+		beam_meet(a, s, q, b, n, &m, any);
+}
+
+V void beam_step(const ald_accel *a, const struct batch *s, struct asked *asked, ald_query *q, struct beam *b, int any)
+{
+	if (b->ref < REF_LEAF)
+		beam_node(a, b);
+	else if (b->ref >= REF_OTHERS)
+		beam_others(a, q, b, any);
+	else
+		beam_leaf(a, s, asked, b, any);
+}
+
+/* To its end. */
+V void beam_walk(const ald_accel *a, const struct batch *s, struct asked *asked, ald_query *q, struct beam *b, int any)
+{
+	for (beam_pop(b); b->ref != DONE; beam_pop(b))
+		beam_step(a, s, asked, q, b, any);
+	beam_end(a, s, asked, b, any);
 }
 
 /* A ray whose numbers no triangle stands. */
-V int beam_odd(const ald_accel *a, ald_query *q, struct beam *b, int any)
+static __attribute__((noinline)) int beam_odd(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit,
+					      int any)
 {
 	int found = 0;
 
 	for (uint32_t id = a->prims->tri_count; id < a->prims->count && !(found && any); id++) {
-		if (ald_sees(a->prims, b->ray, id))
-			found |= a->prims->intersect(a->prims, id, q, b->ray, b->hit);
+		if (ald_sees(a->prims, ray, id))
+			found |= a->prims->intersect(a->prims, id, q, ray, hit);
 	}
 	return found;
 }

@@ -23,7 +23,7 @@ void *bvh8_take(const ald_host *host, uint64_t n, size_t each, const char *what)
 		return NULL;
 	p = host->alloc(host->ctx, n ? (size_t)n * each : 1, what);
 #if defined __linux__ && defined MADV_HUGEPAGE
-	if (p && n * each >= (size_t)8 << 20) { /* walks miss the cache; not the page table, too */
+	if (p && n * each >= (size_t)2 << 20) { /* walks miss the cache; not the page table, too */
 		uintptr_t from = ((uintptr_t)p + 4095) & ~(uintptr_t)4095;
 
 		(void)madvise((void *)from, (size_t)(n * each) - 4096, MADV_HUGEPAGE);

@@ -1,95 +1,18 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * bvh8's walks. One ray, nearest child first; or several in turns, each a step and then the next one's, so
- * that what a ray waits for is fetched while others are computed. To be included by one file for each
- * instruction set, which defines ISA_LEVEL and ISA_NAME.
+ * bvh8's walks of single rays: one, or a crew of them in turns, so that what one waits for is fetched while
+ * others compute. A crew's rays stand in lists by what comes next, nodes or leaves, and a turn goes through a
+ * list: then neither the kind of the next step nor the number of children entered is a branch that a processor
+ * has to guess. To be included by one file for each instruction set, which defines ISA_LEVEL and ISA_NAME.
  */
 #ifndef BVH8_WALK_H
 #define BVH8_WALK_H
 
-#include "bvh8_beam.h"
+#include "bvh8_pack.h"
 #include "seen.h"
 
-#define DONE EMPTY /* the next step of a walk that has ended */
-
-/* Below a node, where the ray enters a child, as the bits of a float >= 0, above the reference: entries
- * compare as distances do. */
-V uint64_t entry_make(float t, uint32_t ref)
-{
-	uint32_t bits;
-
-	memcpy(&bits, &t, sizeof(bits));
-	return (uint64_t)bits << 32 | ref;
-}
-
-V float entry_enter(uint64_t e)
-{
-	uint32_t bits = (uint32_t)(e >> 32);
-	float t;
-
-	memcpy(&t, &bits, sizeof(t));
-	return t;
-}
-
-V uint32_t pop(const struct beam *b, const uint64_t *stack, uint32_t *top, int any)
-{
-	while (*top) {
-		uint64_t e = stack[--*top];
-
-		if (any || !(entry_enter(e) > b->tfar))
-			return (uint32_t)e;
-	}
-	return DONE;
-}
-
-/* Through a node: the nearest of what the ray enters is next, the others go on the stack, the nearest of
- * them last. For any hit, as they stand in the node: large boxes first. */
-V uint32_t step_node(const ald_accel *a, const struct beam *b, uint32_t ref, uint64_t *stack, uint32_t *top,
-		     int any)
-{
-	const struct node *n = &a->node[ref];
-	float enter[WIDTH] __attribute__((aligned(32)));
-	uint32_t bits = beam_node(b, n, enter);
-	uint64_t *first = stack + *top, *p, e, f;
-	unsigned k;
-
-	if (!bits)
-		return pop(b, stack, top, any);
-	k = (unsigned)__builtin_ctz(bits);
-	bits &= bits - 1;
-	if (!bits)
-		return n->child[k];
-	e = entry_make(enter[k], n->child[k]);
-	k = (unsigned)__builtin_ctz(bits);
-	bits &= bits - 1;
-	f = entry_make(enter[k], n->child[k]);
-	if (any) {
-		*first = f;
-		for (p = first + 1; bits; bits &= bits - 1)
-			*p++ = n->child[__builtin_ctz(bits)];
-		*top = (uint32_t)(p - stack);
-		return (uint32_t)e;
-	}
-	*first = e > f ? e : f;
-	e = e > f ? f : e; /* the nearest so far */
-	for (p = first + 1; bits; bits &= bits - 1) {
-		uint64_t *at = p++;
-
-		k = (unsigned)__builtin_ctz(bits);
-		f = entry_make(enter[k], n->child[k]);
-		if (f < e) {
-			*at = e;
-			e = f;
-			continue;
-		}
-		for (; at > first && at[-1] < f; at--)
-			*at = at[-1];
-		*at = f;
-	}
-	*top = (uint32_t)(p - stack);
-	return (uint32_t)e;
-}
+/* ---- counting ---- */
 
 V void count_prim(const ald_accel *a, struct seen *s, uint32_t id, uint64_t *count)
 {
@@ -98,10 +21,10 @@ V void count_prim(const ald_accel *a, struct seen *s, uint32_t id, uint64_t *cou
 		count[ALD_COUNT_REPEATS] += seen_again(s, a->prims->count, id);
 }
 
-/* s: NULL where nothing can be met again. */
-V void count_step(const ald_accel *a, struct seen *s, uint32_t ref, uint64_t *count)
+/* s: NULL where nothing can be met again. Of a leaf, one block is a step; its box was tested once. */
+V void count_step(const ald_accel *a, struct seen *s, uint32_t ref, int rest, uint64_t *count)
 {
-	count[ALD_COUNT_VOLUME_HITS]++;
+	count[ALD_COUNT_VOLUME_HITS] += !rest;
 	if (ref < REF_LEAF) {
 		count[ALD_COUNT_NODES]++;
 		for (unsigned k = 0; k < WIDTH; k++)
@@ -114,210 +37,282 @@ V void count_step(const ald_accel *a, struct seen *s, uint32_t ref, uint64_t *co
 	} else {
 		const struct block *b = &a->block[ref & REF_INDEX];
 
-		for (uint32_t i = 0; i < SEATS * ((ref >> REF_SHIFT & 7) + 1); i++) {
-			if (b[i / SEATS].slack[i % SEATS] >= 0)
-				count_prim(a, s, b[i / SEATS].id[i % SEATS], count);
+		for (uint32_t i = 0; i < SEATS; i++) {
+			if (b->slack[i] >= 0)
+				count_prim(a, s, b->id[i], count);
 		}
 	}
 }
 
-/* 1: there is something to be walked through; 0: all is known already, and *found. */
-V int begin(const ald_accel *a, ald_query *q, struct beam *b, const ald_ray *ray, ald_hit *hit, int any,
-	    int *found)
-{
-	*found = 0;
-	if (a->root == EMPTY || !beam_begin(a, b, ray, hit))
-		return 0;
-	if (b->axis[0] < 3)
-		return 1;
-	*found = beam_odd(a, q, b, any);
-	return 0;
-}
+#define TOGETHER 3u /* rays of a packet that enter a box, on average, or it does not pay */
 
-/* Returns if anything was hit only if any. Counting is a second copy, so that it costs nothing when it is off. */
-V int walk_one(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit, int any, uint64_t *count)
-{
-	struct beam b;
-	struct seen *seen = count && a->parts ? q->scratch : NULL;
-	uint64_t stack[STACK_MAX];
-	uint32_t top = 0, ref = a->root;
-	int found;
+/* ---- handing out rays ---- */
 
-	if (count)
-		count[ALD_COUNT_VOLUME_TESTS]++;
-	if (seen)
-		seen_begin(seen, a->prims->count);
-	if (!begin(a, q, &b, ray, hit, any, &found))
-		return found;
-	while (ref != DONE) {
-		if (count)
-			count_step(a, seen, ref, count);
-		if (ref < REF_LEAF) {
-			ref = step_node(a, &b, ref, stack, &top, any);
-			continue;
-		}
-		found = beam_leaf(a, q, &b, ref, any);
-		if (count)
-			count[ALD_COUNT_VOLUME_USEFUL] += (uint64_t)found;
-		if (any && found)
-			return 1;
-		ref = pop(&b, stack, &top, any);
-	}
-	if (!any)
-		beam_settle(a, &b);
-	return 0;
-}
-
-V void fetch(const ald_accel *a, uint32_t ref)
-{
-	const char *p;
-
-	if (ref < REF_LEAF) {
-		p = (const char *)&a->node[ref];
-		__builtin_prefetch(p);
-		__builtin_prefetch(p + 64);
-		__builtin_prefetch(p + 128);
-		__builtin_prefetch(p + 192);
-	} else if (ref < REF_OTHERS) {
-		p = (const char *)&a->block[ref & REF_INDEX];
-		__builtin_prefetch(p);
-		__builtin_prefetch(p + 64);
-		__builtin_prefetch(p + 128);
-		__builtin_prefetch(p + 175);
-	}
-}
-
-struct stream { /* the rays of a batch */
-	const ald_ray *ray;
-	ald_hit *hit; /* NULL: any will do, and hidden is told */
-	uint8_t *hidden;
-	uint32_t n, next;
+struct source {
+	struct batch batch;
+	ald_query *q;
+	struct asked asked;
+	struct lot lot;
+	uint32_t from, next; /* of the batch: the lot's first, and what comes behind the lot */
+	uint32_t left; /* lanes of the lot */
 };
 
-struct walk {
-	struct beam beam;
-	ald_hit own; /* where any hit will do */
-	uint32_t ref, top, index, late; /* late: of the end, when triangles are fetched to be asked about */
-	uint64_t stack[STACK_MAX];
-};
-
-/* The next ray that has a way to go; 0: there is none. */
-V int stream_next(const ald_accel *a, ald_query *q, struct stream *s, struct walk *w, int any)
+V void source_open(struct source *s, ald_query *q, const struct batch *b)
 {
-	while (s->next < s->n) {
-		uint32_t i = s->next++;
-		int found;
-
-		if (any)
-			w->own = (ald_hit){ .t = s->ray[i].tmax, .prim = ALD_NONE };
-		w->index = i;
-		w->top = w->late = 0;
-		w->ref = a->root;
-		if (begin(a, q, &w->beam, &s->ray[i], any ? &w->own : &s->hit[i], any, &found))
-			return 1;
-		if (any)
-			s->hidden[i] = (uint8_t)found;
-	}
-	return 0;
+	s->batch = *b;
+	s->q = q;
+	s->asked.n = s->next = s->left = 0;
 }
 
-/* A walk that has arrived waits two turns for the corners of the triangle that is probably hit. */
-V int still_late(const ald_accel *a, struct walk *w)
+/* A lot more; 0: there is none. */
+V int source_fill(const ald_accel *a, struct source *s, int any)
 {
-	const ald_prims *p = a->prims;
-	uint32_t id = w->beam.id[0];
-
-	if (!w->beam.pending || !a->far)
+	if (s->next >= s->batch.n)
 		return 0;
-	for (uint32_t i = 1; i < w->beam.pending; i++)
-		id = w->beam.low[i] < w->beam.low[0] ? w->beam.id[i] : id;
-	if (!w->late++) {
-		__builtin_prefetch(&p->index[3 * (size_t)id]);
-		return 1;
-	}
-	if (w->late > 2)
-		return 0;
-	for (unsigned k = 0; k < 3; k++) {
-		size_t at = 3 * (size_t)p->index[3 * (size_t)id + k] * (p->vertex_double ? 8 : 4);
+	s->from = s->next;
+	s->next += LOT;
+	lot_fill(a, &s->lot, &s->batch, s->from);
+	for (uint32_t odd = s->lot.odd; odd; odd &= odd - 1) {
+		uint32_t i = s->from + (uint32_t)__builtin_ctz(odd);
+		const ald_ray *r = &s->batch.ray[i];
+		ald_hit own = { .t = r->tmax, .prim = ALD_NONE };
 
-		__builtin_prefetch((const char *)p->vertex + at);
+		if (any)
+			s->batch.hidden[i] = (uint8_t)beam_odd(a, s->q, r, &own, 1);
+		else
+			beam_odd(a, s->q, r, &s->batch.hit[i], 0);
 	}
+	s->left = s->lot.live & ~s->lot.odd;
 	return 1;
 }
 
-/* One step; 0: the walk has ended. */
-V int take_turn(const ald_accel *a, ald_query *q, struct stream *s, struct walk *w, int any)
+V int source_next(const ald_accel *a, struct source *s, struct beam *b, int any)
 {
-	int found = 0;
+	unsigned i;
 
-	if (w->ref < REF_LEAF) {
-		w->ref = step_node(a, &w->beam, w->ref, w->stack, &w->top, any);
-	} else if (w->ref != DONE) {
-		found = beam_leaf(a, q, &w->beam, w->ref, any);
-		w->ref = any && found ? DONE : pop(&w->beam, w->stack, &w->top, any);
+	while (!s->left) {
+		if (!source_fill(a, s, any))
+			return 0;
 	}
-	if (w->ref != DONE) {
-		fetch(a, w->ref);
-		return 1;
-	}
-	if (any)
-		s->hidden[w->index] = (uint8_t)found;
-	else if (still_late(a, w))
-		return 1;
-	else
-		beam_settle(a, &w->beam);
-	return 0;
+	i = (unsigned)__builtin_ctz(s->left);
+	s->left &= s->left - 1;
+	beam_begin(a, b, &s->lot, i, &s->batch, s->from + i);
+	return 1;
 }
 
-V void take_turns(const ald_accel *a, ald_query *q, struct stream *s, int any)
-{
-	struct walk walk[INTERLEAVE_MAX];
-	uint32_t turn[INTERLEAVE_MAX], live = 0, most = a->interleave;
+/* ---- one ray ---- */
 
-	while (live < most && stream_next(a, q, s, &walk[live], any)) {
-		turn[live] = live;
+/* To its end, and counted. */
+static __attribute__((noinline)) void walk_counted(const ald_accel *a, struct source *s, struct beam *b, int any)
+{
+	uint64_t *count = s->q->count;
+	struct seen *seen = a->parts ? s->q->scratch : NULL;
+	int rest = 0, useful = 0;
+
+	count[ALD_COUNT_VOLUME_TESTS]++;
+	if (seen)
+		seen_begin(seen, a->prims->count);
+	for (beam_pop(b); b->ref != DONE; beam_pop(b)) {
+		uint32_t before = b->pending + b->found, ref = b->ref;
+		double t = b->hit->t;
+
+		count_step(a, seen, ref, rest, count);
+		beam_step(a, &s->batch, &s->asked, s->q, b, any);
+		useful = (rest && useful) || b->pending + b->found != before || b->hit->t != t;
+		rest = ref >= REF_LEAF && ref < REF_OTHERS && ref >> REF_SHIFT & 7 && !(any && b->found);
+		count[ALD_COUNT_VOLUME_USEFUL] += useful && !rest;
+	}
+	beam_end(a, &s->batch, &s->asked, b, any);
+}
+
+/* ---- a crew ---- */
+
+enum { AT_NODE, AT_LEAF, AT_OTHERS, AT_END, AT_NOTHING, AT_REST, PLACES }; /* AT_NOTHING: beyond a hit */
+
+struct crew {
+	struct source source;
+	const char *base[2]; /* of nodes and blocks, and their sizes */
+	size_t size[2];
+	uint8_t list[PLACES][INTERLEAVE_MAX];
+	uint32_t n[PLACES];
+	struct beam beam[INTERLEAVE_MAX];
+};
+
+/* On to the top of the stack. Where to that is stays with the beam until all of a turn are done: a list that
+ * grows where a walk has just come to would hold up the loads of the next one. */
+V void crew_move(const struct crew *c, struct beam *b)
+{
+	uint32_t top = b->top - 1, ref = b->below[top], beyond = b->enter[top] > b->tfar;
+	uint32_t end = ref == DONE, leaf = ref >= REF_LEAF, place = leaf + (ref >= REF_OTHERS) + end;
+	const char *p = c->base[leaf] + (ref & REF_INDEX & (end - 1)) * c->size[leaf];
+
+	__builtin_prefetch(p);
+	__builtin_prefetch(p + 64);
+	__builtin_prefetch(p + 128);
+	__builtin_prefetch(p + 175);
+	__builtin_prefetch(p + 192);
+	b->top = top;
+	b->ref = ref;
+	b->place = (place & (beyond - 1)) | beyond << 2;
+}
+
+/* Those of a list that have moved, each to the list it belongs to. */
+V void crew_deal(struct crew *c, uint32_t from, uint32_t n)
+{
+	uint8_t moved[INTERLEAVE_MAX];
+
+	memcpy(moved, c->list[from], sizeof(moved));
+	c->n[from] = 0;
+	for (uint32_t k = 0; k < n; k++) {
+		uint32_t place = c->beam[moved[k]].place;
+
+		c->list[place][c->n[place]++] = moved[k];
+	}
+}
+
+/* One end of a walk, and the next one's begin; 0: there is no next one. */
+V int crew_next(const ald_accel *a, struct crew *c, struct beam *b, int any)
+{
+	struct source *s = &c->source;
+
+	beam_end(a, &s->batch, &s->asked, b, any);
+	return source_next(a, s, b, any);
+}
+
+/* The longest list is worked off: its length is all that is to be guessed, and that once. */
+V void crew_work(const ald_accel *a, struct crew *c, int any)
+{
+	struct source *s = &c->source;
+	uint32_t live = 0;
+
+	while (live < a->interleave && source_next(a, s, &c->beam[live], any)) {
+		crew_move(c, &c->beam[live]);
+		c->list[AT_NODE][live] = (uint8_t)live;
 		live++;
 	}
+	crew_deal(c, AT_NODE, live);
 	while (live) {
-		for (uint32_t i = 0; i < live; i++) {
-			struct walk *w = &walk[turn[i]];
+		uint32_t place = AT_NODE, n = c->n[AT_NODE];
+		const uint8_t *list;
 
-			if (!take_turn(a, q, s, w, any) && !stream_next(a, q, s, w, any))
-				turn[i--] = turn[--live];
+		for (uint32_t k = AT_NODE + 1; k < AT_REST; k++) {
+			place = c->n[k] > n ? k : place;
+			n = c->n[k] > n ? c->n[k] : n;
+		}
+		list = c->list[place];
+		if (place == AT_NODE) {
+			for (uint32_t k = 0; k < n; k++) {
+				beam_node(a, &c->beam[list[k]]);
+				crew_move(c, &c->beam[list[k]]);
+			}
+		} else if (place == AT_LEAF) {
+			for (uint32_t k = 0; k < n; k++) {
+				beam_leaf(a, &s->batch, &s->asked, &c->beam[list[k]], any);
+				crew_move(c, &c->beam[list[k]]);
+			}
+		} else if (place == AT_NOTHING) {
+			for (uint32_t k = 0; k < n; k++)
+				crew_move(c, &c->beam[list[k]]);
+		} else if (place == AT_OTHERS) {
+			for (uint32_t k = 0; k < n; k++) {
+				beam_others(a, s->q, &c->beam[list[k]], any);
+				crew_move(c, &c->beam[list[k]]);
+			}
+		} else {
+			for (uint32_t k = 0; k < n; k++) {
+				if (crew_next(a, c, &c->beam[list[k]], any)) {
+					crew_move(c, &c->beam[list[k]]);
+					continue;
+				}
+				c->beam[list[k]].place = AT_REST;
+				live--;
+			}
+		}
+		crew_deal(c, place, n);
+	}
+}
+
+/* ---- a batch ---- */
+
+/* Where rays are said to be coherent: a lot of them goes together, until it is seen that too few of a lot do. */
+V void serve_packets(const ald_accel *a, struct source *s, int any)
+{
+#if ISA_LEVEL >= 2
+	struct pack p;
+
+	p.lot = &s->lot;
+	p.boxes = p.entered = 0;
+	while (p.entered >= TOGETHER * p.boxes && source_fill(a, s, any)) {
+		struct beam b;
+
+		p.from = s->from;
+		if (s->left && lot_agrees(&s->lot, s->left)) {
+			pack_walk(a, &s->batch, &s->asked, s->q, &p, s->left, any);
+			s->left = 0;
+		}
+		while (s->left) {
+			source_next(a, s, &b, any);
+			beam_walk(a, &s->batch, &s->asked, s->q, &b, any);
 		}
 	}
+#else
+	(void)a, (void)s, (void)any;
+#endif
+}
+
+static __attribute__((noinline)) void serve_many(const ald_accel *a, ald_query *q, const struct batch *b,
+						 uint32_t hints, int any)
+{
+	struct crew c;
+
+	source_open(&c.source, q, b);
+	c.base[0] = (const char *)a->node;
+	c.base[1] = (const char *)a->block;
+	c.size[0] = sizeof(*a->node);
+	c.size[1] = sizeof(*a->block);
+	memset(c.n, 0, sizeof(c.n));
+	if (hints & ALD_COHERENT && !a->frame.exact && !a->fast)
+		serve_packets(a, &c.source, any);
+	crew_work(a, &c, any);
+	ask(a, b, &c.source.asked);
+}
+
+V void serve(const ald_accel *a, ald_query *q, const struct batch *b, uint32_t hints, int any)
+{
+	struct source s;
+	struct beam beam;
+
+	if (a->root == EMPTY || !b->n)
+		return;
+	if (b->n > 1 && a->interleave > 1 && !q->count) {
+		serve_many(a, q, b, hints, any);
+		return;
+	}
+	source_open(&s, q, b);
+	while (source_next(a, &s, &beam, any)) {
+		if (q->count)
+			walk_counted(a, &s, &beam, any);
+		else
+			beam_walk(a, b, &s.asked, q, &beam, any);
+	}
+	ask(a, b, &s.asked);
 }
 
 static void nearest(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit, uint32_t n,
 		    uint32_t hints)
 {
-	struct stream s = { ray, hit, NULL, n, 0 };
+	struct batch b = { ray, hit, NULL, n };
 
-	if (!q->count && n > 1 && a->interleave > 1 && (a->far || !(hints & ALD_COHERENT))) {
-		take_turns(a, q, &s, 0);
-		return;
-	}
-	for (uint32_t i = 0; i < n && !q->count; i++)
-		walk_one(a, q, &ray[i], &hit[i], 0, NULL);
-	for (uint32_t i = 0; i < n && q->count; i++)
-		walk_one(a, q, &ray[i], &hit[i], 0, q->count);
+	serve(a, q, &b, hints, 0);
 }
 
 static void occluded(const ald_accel *a, ald_query *q, const ald_ray *ray, uint8_t *hidden, uint32_t n,
 		     uint32_t hints)
 {
-	struct stream s = { ray, NULL, hidden, n, 0 };
+	struct batch b = { ray, NULL, hidden, n };
 
-	if (!q->count && n > 1 && a->interleave > 1 && (a->far || !(hints & ALD_COHERENT))) {
-		take_turns(a, q, &s, 1);
-		return;
-	}
-	for (uint32_t i = 0; i < n; i++) {
-		ald_hit hit = { .t = ray[i].tmax, .prim = ALD_NONE };
-
-		hidden[i] = (uint8_t)(q->count ? walk_one(a, q, &ray[i], &hit, 1, q->count) :
-						 walk_one(a, q, &ray[i], &hit, 1, NULL));
-	}
+	memset(hidden, 0, n);
+	serve(a, q, &b, hints, 1);
 }
 
 const struct isa ISA_NAME = { ISA_TEXT, nearest, occluded };

@@ -85,15 +85,15 @@ static void fresh(ald_hit *hit, const ald_ray *ray, uint32_t n)
 		hit[i] = (ald_hit){ .t = ray[i].tmax, .prim = ALD_NONE, .part = ALD_NONE };
 }
 
-static void ask(struct accel *a, const ald_ray *ray, uint32_t n, bool one_by_one)
+static void ask(struct accel *a, const ald_ray *ray, uint32_t n, bool one_by_one, uint32_t hints)
 {
 	const ald_accel_plugin *p = a->choice.plugin;
 	ald_hit again;
 
 	fresh(a->hit, ray, n);
 	if (!one_by_one && p->intersect_n && p->occluded_n) {
-		p->intersect_n(a->it, &a->q, ray, a->hit, n, 0);
-		p->occluded_n(a->it, &a->q, ray, a->hidden, n, 0);
+		p->intersect_n(a->it, &a->q, ray, a->hit, n, hints);
+		p->occluded_n(a->it, &a->q, ray, a->hidden, n, hints);
 		return;
 	}
 	for (uint32_t i = 0; i < n; i++) {
@@ -151,6 +151,26 @@ static uint32_t step_behind(ald_ray *ray, const ald_hit *hit, uint32_t n)
 	return live;
 }
 
+/* Rays in bundles: of each sixteen all go about the way of the first, some the very same. */
+static void bundle(ald_ray *ray, uint32_t n)
+{
+	uint64_t seed = 9;
+
+	for (uint32_t i = 0; i < n; i++) {
+		const ald_ray *first = &ray[i & ~15u];
+		double wide = 0.3 / (double)(1u << (i / 16 % 16));
+
+		ray[i].org = first->org;
+		ray[i].dir = first->dir;
+		if (i % 16 < 3)
+			continue;
+		ray[i].org.x += i & 1 ? 0 : wide * random_unit(&seed);
+		ray[i].dir.x += wide * fabs(first->dir.x) * (random_unit(&seed) - 0.5);
+		ray[i].dir.y += wide * fabs(first->dir.y) * (random_unit(&seed) - 0.5);
+		ray[i].dir.z += wide * fabs(first->dir.z) * (random_unit(&seed) - 0.5);
+	}
+}
+
 static void same_hits(const char *mesh, struct mesh *m, uint32_t rays, uint32_t steps)
 {
 	struct accel *none = malloc(sizeof(*none)), *other = malloc(SPECS * sizeof(*other));
@@ -167,21 +187,23 @@ static void same_hits(const char *mesh, struct mesh *m, uint32_t rays, uint32_t 
 	for (unsigned k = 0; k < SPECS; k++)
 		there[k] = accel_open(&other[k], spec[k], &h, m) == ALD_OK; /* else: not on this processor */
 	for (uint32_t first = 0; first < rays; first += BATCH) {
-		uint32_t step = 0;
+		uint32_t step = 0, hints = first / BATCH % 4 == 2 ? ALD_COHERENT : 0;
 
 		for (uint32_t i = 0; i < BATCH; i++)
 			ray_make(m, 1, first + i, &ray[i]);
+		if (hints)
+			bundle(ray, BATCH);
 		do {
 			bool one_by_one = first % (8 * BATCH) == 0 && step < 2;
 
 			/* Counting is other code: it has to give the same. */
 			for (unsigned k = 0; k < SPECS; k++)
 				other[k].q.count = first / BATCH % 4 == 1 ? other[k].count : NULL;
-			ask(none, ray, BATCH, one_by_one);
+			ask(none, ray, BATCH, one_by_one, hints);
 			for (unsigned k = 0; k < SPECS; k++) {
 				if (!there[k])
 					continue;
-				ask(&other[k], ray, BATCH, one_by_one);
+				ask(&other[k], ray, BATCH, one_by_one, hints);
 				compare(mesh, spec[k], none, &other[k], ray, BATCH);
 			}
 			for (uint32_t i = 0; i < BATCH; i++) {

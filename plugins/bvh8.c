@@ -19,7 +19,7 @@ static const ald_param params[] = {
 	{ "leaf", "triangles of a leaf at most", ALD_INT, 8, 1, SEATS * BLOCKS_MAX, NULL },
 	{ "isa", "instruction set; auto: the best there is", ALD_CHOICE, ISA_AUTO, 0, 4, isa_label },
 	{ "interleave",
-	  "rays a thread walks with in turns, where they are not coherent; 0: 48, the most; 1: all alone",
+	  "rays a thread walks with in turns, where they are not coherent; 0: 48; 1: each alone",
 	  ALD_INT, 0, 0, INTERLEAVE_MAX, NULL },
 	{ NULL, NULL, 0, 0, 0, 0, NULL },
 };

@@ -19,7 +19,7 @@ static const char *const node_label[] = { "box", "sphere", NULL };
 static const char *const walk_label[] = { "loop", "recursion", NULL };
 static const ald_param params[] = {
 	{ "depth", "levels below the root at most", ALD_INT, 16, 0, DEPTH_MAX, NULL },
-	{ "leaf", "a cell with as many primitives is not split", ALD_INT, 16, 1, 65535, NULL },
+	{ "leaf", "a cell with as many primitives is not split", ALD_INT, 32, 1, 65535, NULL },
 	{ "price", "cost of a step in primitive tests: split where that pays; 0: always", ALD_REAL, 1, 0,
 	  1000, NULL },
 	{ "index", "bits of a node's index", ALD_CHOICE, INDEX_AUTO, 0, 2, index_label },

@@ -34,13 +34,22 @@ plugins_bvh8_la_SOURCES = plugins/bvh8.c plugins/bvh8_build.c plugins/bvh8_split
 plugins_bvh8_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
 plugins_bvh8_la_LDFLAGS = $(PLUGIN_LDFLAGS)
 
+# What it links with has threads of its own, and stays loaded for their sake.
+if HAVE_EMBREE
+pkglibaccel_LTLIBRARIES += plugins/embree.la
+plugins_embree_la_SOURCES = plugins/embree.c plugins/embree_walk.c plugins/embree.h
+plugins_embree_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
+plugins_embree_la_LDFLAGS = $(PLUGIN_LDFLAGS) -Wl,-z,nodelete
+plugins_embree_la_LIBADD = $(EMBREE_LIBS)
+endif
+
 # Libtool's .la files are of no use to dlopen(); only libtool itself would miss them.
 install-data-hook:
-	cd '$(DESTDIR)$(pkglibacceldir)' && rm -f none.la sphere.la box.la octree.la bvh8.la
+	cd '$(DESTDIR)$(pkglibacceldir)' && rm -f none.la sphere.la box.la octree.la bvh8.la embree.la
 	rm -f '$(DESTDIR)$(pkglibdir)/io_oiio.la'
 
 uninstall-hook:
-	cd '$(DESTDIR)$(pkglibacceldir)' && rm -f none.so sphere.so box.so octree.so bvh8.so
+	cd '$(DESTDIR)$(pkglibacceldir)' && rm -f none.so sphere.so box.so octree.so bvh8.so embree.so
 	rm -f '$(DESTDIR)$(pkglibdir)/io_oiio.so'
 
 # To start one's own from, outside of this tree.

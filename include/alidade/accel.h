@@ -91,7 +91,7 @@ struct ald_prims { /* what to accelerate; owned by the host, outlives the ald_ac
 	const void *vertex;
 };
 
-/* Services, valid until the last destroy() returns; all but log in [setup] only. */
+/* Services, valid until the last destroy() returns; all but log and account in [setup] only. */
 typedef struct {
 	uint32_t abi, size; /* ALD_ACCEL_ABI and sizeof(ald_host) in the host */
 	void *ctx; /* first argument of each function below */
@@ -105,6 +105,9 @@ typedef struct {
 	int (*progress)(void *ctx, double done); /* 0..1; non-zero: return ALD_CANCELLED soon */
 	/* [any] level: 0 error, 1 warning, 2 info, 3 debug */
 	void (*log)(void *ctx, int level, const char *text);
+	/* Beyond an older host's size: there is none. Memory that a library of the plugin's takes, or below 0
+	 * gives back, accounted under what; 0: over the budget, it should be given back. [any] */
+	int (*account)(void *ctx, int64_t bytes, const char *what);
 } ald_host;
 
 enum { ALD_OK, ALD_NO_MEMORY, ALD_BAD_PARAM, ALD_CANCELLED, ALD_UNSUPPORTED, ALD_FAILED };

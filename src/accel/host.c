@@ -63,6 +63,15 @@ static void host_log(void *ctx, int level, const char *text)
 	pthread_mutex_unlock(&h->lock);
 }
 
+static int host_account(void *ctx, int64_t bytes, const char *what)
+{
+	struct accel_host *h = ctx;
+	char purpose[40];
+
+	snprintf(purpose, sizeof(purpose), "accel: %s", what ? what : "other");
+	return mem_account_foreign(h->book, purpose, bytes);
+}
+
 void accel_host_init(struct accel_host *h, struct mem_book *book, struct pool *pool, struct diag *diag,
 		     const char *plugin)
 {
@@ -74,7 +83,8 @@ void accel_host_init(struct accel_host *h, struct mem_book *book, struct pool *p
 					    .free = host_free,
 					    .parallel = host_parallel,
 					    .progress = host_progress,
-					    .log = host_log },
+					    .log = host_log,
+					    .account = host_account },
 				  .book = book,
 				  .pool = pool,
 				  .diag = diag,

@@ -3,7 +3,6 @@
  */
 #include "base/mem.h"
 
-#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -125,6 +124,17 @@ void mem_free(void *p)
 	b = (struct block *)((char *)p - ALIGN);
 	book_sub(b);
 	free(b);
+}
+
+bool mem_account_foreign(struct mem_book *book, const char *purpose, int64_t bytes)
+{
+	struct mem_account *account = mem_account_get(book, purpose);
+
+	if (bytes >= 0)
+		return book_add(book, account, (size_t)bytes);
+	atomic_fetch_sub(&book->now, (uint64_t)-bytes);
+	atomic_fetch_sub(&account->now, (uint64_t)-bytes);
+	return true;
 }
 
 size_t mem_product(size_t a, size_t b)

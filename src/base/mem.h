@@ -8,6 +8,7 @@
 #define ALIDADE_BASE_MEM_H
 
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -37,6 +38,9 @@ void *mem_zalloc(struct mem_book *, const char *purpose, size_t bytes);
 /* Like realloc; the block keeps its purpose. p may not be NULL. NULL: the old block is still there. */
 void *mem_realloc(void *p, size_t bytes);
 void mem_free(void *p);
+
+/* Book memory that others hand out, or have taken back (bytes < 0). false: over the limit, not booked. */
+bool mem_account_foreign(struct mem_book *, const char *purpose, int64_t bytes);
 
 /* a * b or SIZE_MAX when that overflows, so that the allocation fails. */
 size_t mem_product(size_t a, size_t b);

@@ -16,7 +16,7 @@
  *
  * An engine is as alidade -a has it (with @exact or @fast behind it, it is asked for that precision, and in exact
  * order what the host has to do is done too); or Embree's own calls without any of Alidade, as peers.h names them;
- * or "embree": all ways to call it are tried, and the best of each kind of ray race. Without engines: bvh8 embree.
+ * or "peers": all ways to call it are tried, and the best of each kind of ray race. Without engines: bvh8 peers.
  * Ratios, wrong answers and verdicts are the first one's.
  */
 #ifdef HAVE_CONFIG_H
@@ -100,7 +100,7 @@ static bool build_again(struct bench *b)
 static bool open_all(struct bench *b, char **names, int count)
 {
 	for (int i = 0; i < count && i < ENGINES / 2; i++) {
-		if (!strcmp(names[i], "embree") && peer_there()) {
+		if (!strcmp(names[i], "peers") && peer_there()) {
 			b->embree = true;
 			continue;
 		}
@@ -174,7 +174,7 @@ static void json_machine(struct json_writer *j)
 
 int main(int argc, char **argv)
 {
-	static char *usual[] = { "bvh8", "embree" };
+	static char *usual[] = { "bvh8", "peers" };
 	struct bench *b = calloc(1, sizeof(*b));
 	char *worlds = NULL, *left = NULL;
 	FILE *out = NULL;

@@ -10,6 +10,10 @@
  * leave surfaces; f extremes of size, and numbers that are none; g sheets very close to each other; r ordinary
  * ones.
  */
+#ifdef HAVE_CONFIG_H
+#include <config.h>
+#endif
+
 #include <float.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -511,7 +515,11 @@ static bool named(const char *name, uint32_t *out)
 int main(int argc, char **argv)
 {
 	/* In floats bvh8 has coordinates of its own, and answers otherwise than the others. */
+#ifdef HAVE_EMBREE
+	static const char *const all[] = { "octree", "box", "sphere", "none", "bvh8", "embree", NULL };
+#else
 	static const char *const all[] = { "octree", "box", "sphere", "none", "bvh8", NULL };
+#endif
 	static const char *const alike[] = { "octree", "box", "sphere", "none", NULL };
 	const char *const *usual;
 	const char *accel[TRIAL_ACCELS + 1] = { NULL };

@@ -43,11 +43,13 @@ says()
 	fi
 }
 
+embree= # it is optional
+[ ! -f "$own/embree.so" ] || embree=", embree"
 ALIDADE_ACCEL_PATH=$tap_dir/bad:$own
 export ALIDADE_ACCEL_PATH
 
 # ---- what is not there ----
-says "a name with a slip of the pen" 4 octre "no accelerator 'octre'\. Did you mean 'octree'\? Searched: $tap_dir/bad \(none\); $own \(box, bvh8, none, octree, sphere\); .* ALIDADE_ACCEL_PATH"
+says "a name with a slip of the pen" 4 octre "no accelerator 'octre'\. Did you mean 'octree'\? Searched: $tap_dir/bad \(none\); $own \(box, bvh8$embree, none, octree, sphere\); .* ALIDADE_ACCEL_PATH"
 says "a name like no other" 4 quadrangle "^error: no accelerator 'quadrangle'\. Searched: "
 refused "no name" "" "an accelerator is given as NAME, NAME:KEY=VALUE,... or a path with a slash"
 refused "not a name" "Octree" "'Octree' can't be an accelerator's name, which is of the form [a-z][a-z0-9-]*; a file is named by a path with a slash: ./Octree"
@@ -119,7 +121,7 @@ plugin bad/bad.so -DBAD_PRECISIONS=ALD_PRECISION_DEFAULT
 is "a precision that it does not serve" \
 	"$("$ALIDADE_BUILD/src/alidade" -a bad --precision=exact --dry-run "$ALIDADE_SRC/tests/cli/scene.pov" 2>&1 |
 		grep ^alidade)" \
-	"alidade: error: accelerator bad: it does not serve --precision=exact; these do: box, bvh8, none, octree, sphere"
+	"alidade: error: accelerator bad: it does not serve --precision=exact; these do: box, bvh8$embree, none, octree, sphere"
 plugin bad/bad.so -DBAD_PARAMS='{ "k", "help", ALD_INT, 9, 0, 5, NULL }'
 refused "a default out of range" bad "accelerator @/bad.so: its parameter 'k' is wrong: its default is outside its range"
 plugin bad/bad.so -DBAD_PARAMS='{ "K", "help", ALD_INT, 0, 0, 5, NULL }'
@@ -173,7 +175,7 @@ rm bad/whole.so
 cp "$own/none.so" bad/bad.so
 cp "$own/octree.so" bad/octree.so
 got=$("$try" --list 2>"$tap_dir/err" | sed 's/:.*//' | tr '\n' ' ')
-is "the list, the first of a name" "$got" "octree box bvh8 none sphere "
+is "the list, the first of a name" "$got" "octree box bvh8${embree#,} none sphere "
 is "the list warns of what is broken" "$(cat "$tap_dir/err")" \
 	"warning: accelerator $tap_dir/bad/bad.so: it calls itself 'none'; the file has to be named none.so"
 tap_done

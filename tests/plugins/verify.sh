@@ -46,7 +46,10 @@ of()
 
 status "a picture" 0 -o plain.ppm --stats=plain.json
 is "without --verify says nothing of it" "$(of plain.json v)" None
-for accel in none box sphere octree bvh8 ./liar.so; do
+embree= # it is optional
+[ ! -f "$ALIDADE_BUILD/plugins/.libs/embree.so" ] || embree="embree embree:packet=16"
+# shellcheck disable=SC2086 # words
+for accel in none box sphere octree bvh8 $embree ./liar.so; do
 	status "$accel" 0 -a $accel --verify 1 -o honest.ppm --stats=honest.json
 	ok "all its rays were asked again" test "$(of honest.json 'v["checked"]')" -ge 6000
 	is "each question" "$(of honest.json 'min(v[q]["checked"] for q in ("nearest", "occluded", "next")) > 100')" True

@@ -353,6 +353,11 @@ static void host_log(void *ctx, int level, const char *text)
 	(void)text;
 }
 
+static int host_account(void *ctx, int64_t bytes, const char *what)
+{
+	return mem_account_foreign(&((struct test_host *)ctx)->book, what, bytes);
+}
+
 void test_host_init(struct test_host *h, uint32_t threads, uint64_t limit)
 {
 	mem_book_init(&h->book, limit);
@@ -368,6 +373,7 @@ void test_host_init(struct test_host *h, uint32_t threads, uint64_t limit)
 		.parallel = host_parallel,
 		.progress = host_progress,
 		.log = host_log,
+		.account = host_account,
 	};
 }
 

@@ -4,6 +4,10 @@
  * Every accelerator answers as none does, to the bit: nearest hits, shadows and next-hit walks, on rays
  * of which most are hostile.
  */
+#ifdef HAVE_CONFIG_H
+#include <config.h>
+#endif
+
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -31,6 +35,9 @@ static const char *spec[] = {
 	"octree:leaf=1,depth=6,price=0,shape=box", "bvh8", "bvh8:isa=plain,leaf=1,interleave=1",
 	"bvh8:isa=sse,leaf=28,interleave=3,split=1",
 	"bvh8:isa=avx2,interleave=16,split=100", "bvh8:isa=avx512,leaf=5,interleave=8",
+#ifdef HAVE_EMBREE
+	"embree", "embree:packet=16,isa=avx2,quality=high", "embree:packet=stream,isa=sse4.2,quality=low",
+#endif
 	"octree:leaf=30",
 };
 enum { SPECS = sizeof(spec) / sizeof(spec[0]) };

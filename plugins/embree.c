@@ -16,8 +16,8 @@ static const char *const quality_label[] = { "low", "medium", "high", NULL };
 static const char *const isa_label[] = { "auto", "sse4.2", "avx", "avx2", "avx512", NULL };
 static const ald_param params[] = {
 	{ "native", "inexact: Embree's own triangles, in floats", ALD_BOOL, 0, 0, 1, NULL },
-	{ "packet", "rays of a call; auto: 4 from one origin, else 1; native=1: 16 if they are coherent, else 8", ALD_CHOICE,
-	  PACKET_AUTO, 0, 5, packet_label },
+	{ "packet", "rays of a call; auto: 4 from one origin, else 1; native=1: 16 if they are coherent, else 8",
+	  ALD_CHOICE, PACKET_AUTO, 0, 5, packet_label },
 	{ "robust", "with native=1: Embree's watertight mode", ALD_BOOL, 1, 0, 1, NULL },
 	{ "quality", "of the tree: Morton order, surface areas, or spatial splits too", ALD_CHOICE, 1, 0, 2,
 	  quality_label },
@@ -289,7 +289,8 @@ static int embree_build(const ald_host *host, const ald_prims *prims, const doub
 	int status;
 
 	if (value[P_NATIVE] > 0 && prims->precision == ALD_PRECISION_EXACT) {
-		snprintf(err->text, sizeof(err->text), "native=1 is inexact, and --precision=exact is asked for; leave one out");
+		snprintf(err->text, sizeof(err->text),
+			 "native=1 is inexact, and --precision=exact is asked for; leave one out");
 		return ALD_BAD_PARAM;
 	}
 	a = host->alloc(host->ctx, sizeof(*a), purpose);

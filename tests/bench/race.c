@@ -413,7 +413,8 @@ void race_screen(struct bench *b)
 		return;
 	for (unsigned i = 0; i < (b->all ? 4u : 2u); i++) {
 		for (unsigned n = 0; n < (b->all ? 8u : 2u); n++) {
-			struct peer_config c = { isas[i], n & 1, n & 2, n & 4 ? PEER_HIGH : PEER_MEDIUM, b->threads, 0 };
+			struct peer_config c = { isas[i], n & 1, n & 2, n & 4 ? PEER_HIGH : PEER_MEDIUM, b->threads,
+						 0 };
 
 			screen_tree(b, &c, best, step);
 		}

@@ -194,7 +194,8 @@ static void json_engine(const struct bench *b, struct json_writer *j, const stru
 	jw_end(j);
 }
 
-static void json_against(const struct bench *b, struct json_writer *j, const char *key, unsigned k, const struct engine *e)
+static void json_against(const struct bench *b, struct json_writer *j, const char *key, unsigned k,
+			 const struct engine *e)
 {
 	struct spread noise = spread_ratio(b->again[k], b->engine[0].seconds[k], b->rounds), s;
 	static const char *const word[] = { "behind", "none", "ahead" };

@@ -50,6 +50,12 @@ static bool side_interval(const struct prim *p, vec o, vec d, double *s0, double
 	return true;
 }
 
+/* An apex, which is of the side, whether the ends are open or not. */
+static bool pointed(const struct prim *p, uint32_t end)
+{
+	return (end == 1 ? p->a - p->b : p->a + p->b) == 0;
+}
+
 static void cone_roots(const struct prim *p, vec o, vec d, struct prim_roots *out)
 {
 	double s0, s1, t0 = -ALD_INF, t1 = ALD_INF;
@@ -66,13 +72,21 @@ static void cone_roots(const struct prim *p, vec o, vec d, struct prim_roots *ou
 	}
 	if (!(fmax(s0, t0) <= fmin(s1, t1)))
 		return;
-	if (s0 > t0 || !p->open) {
+	out->lo = s0;
+	out->hi = s1;
+	if (s0 > t0 || pointed(p, end0)) {
 		out->t[out->count] = fmax(s0, t0);
-		out->part[out->count++] = s0 > t0 ? 0 : end0;
+		out->part[out->count++] = 0;
+	} else if (!p->open) {
+		out->t[out->count] = t0;
+		out->part[out->count++] = end0;
 	}
-	if (s1 < t1 || !p->open) {
+	if (s1 < t1 || pointed(p, 3 - end0)) {
 		out->t[out->count] = fmin(s1, t1);
-		out->part[out->count++] = s1 < t1 ? 0 : 3 - end0;
+		out->part[out->count++] = 0;
+	} else if (!p->open) {
+		out->t[out->count] = t1;
+		out->part[out->count++] = 3 - end0;
 	}
 }
 

@@ -13,6 +13,8 @@ static void disc_roots(const struct prim *p, vec o, vec d, struct prim_roots *ou
 		return;
 	out->count = 1;
 	out->t[0] = t;
+	out->hi = sqrt(fmax(1 - vec_dot(o, o), 0) / vec_dot(d, d)); /* o is the point of closest approach */
+	out->lo = -out->hi;
 	out->part[0] = 0;
 }
 

@@ -46,6 +46,7 @@ struct prim_roots {
 	bool begins; /* the line comes from within, which is so for infinite shapes only */
 	double t[PRIM_ROOTS];
 	uint32_t part[PRIM_ROOTS];
+	double lo, hi; /* of a cone or disc: within, the line is in its radius */
 };
 
 /* A point on a surface in own coordinates. */

@@ -95,6 +95,33 @@ double prim_map_error(const struct mat *to, const struct mat *from, unsigned k, 
 	return 16 * ALD_U * e;
 }
 
+/* An inverse of a 3 x 3 matrix is off by as many roundoffs as its longest axis is times its shortest. A step of
+ * Newton's, whose remainder is computed in pairs of doubles, leaves a few. */
+static void refine_inverse(const struct mat *a, struct mat *x)
+{
+	double rest[3][3];
+	struct mat was = *x;
+
+	for (unsigned i = 0; i < 3; i++) {
+		for (unsigned j = 0; j < 3; j++) {
+			double sum[2] = { i == j, 0 };
+
+			for (unsigned k = 0; k < 3; k++) {
+				double low, high = ald_product(-a->m[i][k], was.m[k][j], &low);
+
+				ald_pair_add(sum, high, low);
+			}
+			rest[i][j] = sum[0];
+		}
+	}
+	for (unsigned i = 0; i < 3; i++) {
+		for (unsigned j = 0; j < 3; j++)
+			x->m[i][j] += was.m[i][0] * rest[0][j] + was.m[i][1] * rest[1][j] + was.m[i][2] * rest[2][j];
+	}
+	if (!finite_mat(x))
+		*x = was;
+}
+
 bool prim_frame(struct prim *p, const struct mat *own, const struct xform *place, vec shift, double scale)
 {
 	struct mat m = *own;
@@ -108,7 +135,10 @@ bool prim_frame(struct prim *p, const struct mat *own, const struct xform *place
 			p->from.m[i][j] *= scale;
 		p->from.m[3][i] = 0;
 	}
-	return finite_mat(&p->from) && vec_finite(p->centre) && mat_invert(&p->from, &p->to);
+	if (!finite_mat(&p->from) || !vec_finite(p->centre) || !mat_invert(&p->from, &p->to))
+		return false;
+	refine_inverse(&p->from, &p->to);
+	return true;
 }
 
 bool prim_side(const struct prim *p, unsigned k, double down, double up, double size, double pad,
@@ -252,11 +282,15 @@ void prim_crossings(const struct prim *p, const ald_ray *r, struct prim_roots *r
 		bool flat = p->kind == SHAPE_DISC || (p->kind == SHAPE_CONE && roots->part[i]);
 		uint32_t side = roots->part[i] == 2;
 
-		/* As box_crossings(): as near as a plane there, to the bit. */
-		if (flat)
-			roots->t[i] = (p->side[side] - vec_dot(p->half, r->org)) / vec_dot(p->half, r->dir);
-		else
+		/* As box_crossings(): as near as a plane there, to the bit. A ray in that plane, but for rounding,
+		 * might be told anything, and meets it within the radius. */
+		if (flat) {
+			double t = (p->side[side] - vec_dot(p->half, r->org)) / vec_dot(p->half, r->dir);
+
+			roots->t[i] = t > roots->lo + l.slide ? fmin(t, roots->hi + l.slide) : roots->lo + l.slide;
+		} else {
 			roots->t[i] += l.slide;
+		}
 	}
 }
 

@@ -344,11 +344,70 @@ static void surface_coordinates(void **state)
 	}
 }
 
+/* Rays in the plane of an end or a disc, but for rounding, meet it within its radius or not at all. */
+static void ends_are_met_within_their_radius(void **state)
+{
+	uint64_t seed = 5;
+	unsigned met = 0;
+
+	(void)state;
+	for (unsigned n = 0; n < 4000; n++) {
+		double a = 7 * uniform(&seed), b = 7 * uniform(&seed), at;
+		struct object o;
+		struct prim p;
+		vec from, to, own;
+		ald_ray r;
+		ald_hit h;
+
+		shape_of(&o, n & 1 ? SHAPE_CONE : SHAPE_DISC, 1, 0);
+		o.place = some_place(&seed, n & 2);
+		assert_true(prim_make(&p, &o, &o.place, vec_make(0, 0, 0), 1, 8, 1e-15));
+		at = o.kind == SHAPE_DISC ? 0 : n & 4 ? -1 : 1;
+		from = vec_add(p.centre, mat_dir(&p.from, vec_make(1.5 * cos(a), 1.5 * sin(a), at)));
+		to = vec_add(p.centre, mat_dir(&p.from, vec_make(cos(b), sin(b), at)));
+		r = ray(from, vec_sub(to, from));
+		h = cast(&p, &r);
+		if (h.prim == ALD_NONE)
+			continue;
+		own = mat_dir(&p.to, vec_sub(vec_mad(r.org, r.dir, h.t), p.centre));
+		assert_true(own.x * own.x + own.y * own.y < 1 + 1e-6);
+		met++;
+	}
+	assert_true(met > 400);
+}
+
+/* The tip of a cone without ends is part of it. */
+static void open_cones_have_their_apex(void **state)
+{
+	uint64_t seed = 6;
+
+	(void)state;
+	for (unsigned n = 0; n < 4000; n++) {
+		struct object o;
+		struct prim p;
+		vec from = random_vec(&seed), apex, axis;
+		ald_ray r;
+
+		shape_of(&o, SHAPE_CONE, 1, 1);
+		o.shape.cone.open = true;
+		o.place = some_place(&seed, n & 1);
+		assert_true(prim_make(&p, &o, &o.place, vec_make(0, 0, 0), 1, 8, 1e-15));
+		apex = mat_point(&o.place.fwd, o.shape.cone.apex);
+		axis = vec_sub(apex, mat_point(&o.place.fwd, o.shape.cone.base));
+		/* From behind the tip, into the cone. */
+		r = ray(vec_mad(vec_mad(apex, axis, 2), from, 1e-3), (vec){ 0, 0, 0 });
+		r.dir = vec_sub(apex, r.org);
+		assert_int_equal(cast(&p, &r).prim, 0);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(boxes_hold_and_fit),
+		cmocka_unit_test(ends_are_met_within_their_radius),
 		cmocka_unit_test(far_shapes_are_found),
+		cmocka_unit_test(open_cones_have_their_apex),
 		cmocka_unit_test(solids_are_tight),
 		cmocka_unit_test(secondary_rays_leave),
 		cmocka_unit_test(surface_coordinates),

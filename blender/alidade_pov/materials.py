@@ -3,9 +3,10 @@
 """Shaders to textures: what a surface does is gathered as lobes, then said in the words of POV-Ray's finish.
 
 A shader is a Leaf (lobes with constant weights) or a Blend of two by a factor that varies, which becomes a texture_map.
-Lobes: diffuse, translucent, glossy, glass, transparent, emission. docs/exporter.md derives the numbers.
+Lobes: diffuse, translucent, glossy, glass, refraction (without its reflection), transparent, emission. docs/exporter.md derives the numbers.
 """
 import math
+import re
 
 import numpy as np
 
@@ -15,12 +16,14 @@ from .paints import Paint, Pigment
 from .relief import Relief
 from .values import Place, Points, Tree, as_number, origin
 
+LEAST_IOR = 1e-5        # as in Cycles
 SHARPEST = 0.02         # alpha of the narrowest highlight: a lamp's own size is about as wide
 WHITE = np.ones(3)
 # White that a blurred reflection of F0 adds to diffuse, in F0. In Cycles a black ball of roughness 0.6 to 1 and F0 = 0.04
 # sends back 0.047 to 0.027 of a white world and 0.013 to 0.007 of a sun (diffuse 0.024 would), most of which is the
 # highlight; a grey one 0.01 less than its colour, since its diffuse lobe is less too.
 HAZE = 0.6
+CLEAR = ('transparent', 'glass', 'refraction')
 
 
 class Lobe:
@@ -80,11 +83,6 @@ class Look:
         low, high = bounds
         size = np.where(high - low < 1e-9, 1.0, high - low)
         return 'texture { %s scale %s translate %s }' % (self.name, text.vector(size), text.vector(low))
-
-
-def schlick_mean(f0):
-    """Mean reflection over the half space by Schlick's formula: f0 + (1 - f0) / 21."""
-    return f0 + (1.0 - f0) / 21.0
 
 
 def mirror_share(roughness):
@@ -258,35 +256,7 @@ class Materials:
 
     def shader_MixShader(self, p):
         a, b = (self.shader(Place(p.node, p.node.inputs[i], p.stack)) for i in (1, 2))
-        source, _ = origin(Place(p.node, p.node.inputs[0], p.stack))
-        if source is not None and source.node.bl_idname in ('ShaderNodeFresnel', 'ShaderNodeLayerWeight'):
-            return self._fresnel_mix(source, a, b)
-        return self.mix(self.paint(p, 0) if False else Paint([(WHITE, Place(p.node, p.node.inputs[0], p.stack))]),
-                        'Fac', a, b)
-
-    def _fresnel_mix(self, source, a, b):
-        """Mixed by Fresnel: mirrors take the falloff, everything else its mean."""
-        node = source.node
-        facing = None
-        if node.bl_idname == 'ShaderNodeFresnel':
-            ior = self.number(source, 'IOR', 1.45)
-        else:
-            amount = min(max(self.number(source, 'Blend', 0.5), 0.0), 0.999)
-            ior = 1.0 / max(1.0 - amount, 1e-3)
-            if source.socket.name == 'Facing':
-                # 1 - cos^power, over the disc that a ball is seen as.
-                power = 2 * amount if amount < 0.5 else 0.5 / (1 - amount)
-                ior, facing = 1.5, 1.0 - 2.0 / (power + 2.0)
-        f0 = ((ior - 1) / (ior + 1)) ** 2
-        mean = schlick_mean(f0) if facing is None else facing
-
-        def falloff(shader, share):
-            if isinstance(shader, Blend):
-                return Blend(shader.factor, shader.socket, falloff(shader.a, share), falloff(shader.b, share))
-            return Leaf([Lobe('glossy', l.paint, l.weight, l.roughness, l.ior, f0) if l.kind == 'glossy'
-                         and share == mean and l.f0 is None else l.times(share) for l in shader.lobes])
-        self.losses.nearest(self.where, 'Fac', node.name, 'mirrors take the falloff, other shaders its mean')
-        return add(falloff(a, 1 - mean), falloff(b, mean))
+        return self.mix(Paint([(WHITE, Place(p.node, p.node.inputs[0], p.stack))]), 'Fac', a, b)
 
     def shader_AddShader(self, p):
         return add(*(self.shader(Place(p.node, p.node.inputs[i], p.stack)) for i in (0, 1)))
@@ -345,17 +315,19 @@ class Materials:
                            lambda r: Leaf([Lobe('glossy', self.paint(p, 'Base Color'), 1.0, r)]))
 
     def shader_BsdfGlass(self, p):
-        roughness = 0.0 if getattr(p.node, 'distribution', '') == 'SHARP' else self.number(p, 'Roughness')
-        return Leaf([self._glass(p, self.paint(p, 'Color'), roughness, self.number(p, 'IOR', 1.45))])
+        return Leaf([self._clear('glass', p)])
 
     def shader_BsdfRefraction(self, p):
-        self.losses.nearest(self.where, '-', p.node.name, 'refraction is drawn as glass, with its reflection')
-        return self.shader_BsdfGlass(p)
+        return Leaf([self._clear('refraction', p)])
 
-    def _glass(self, p, paint, roughness, ior, weight=1.0):
+    def _clear(self, kind, p):
+        roughness = 0.0 if getattr(p.node, 'distribution', '') == 'SHARP' else self.number(p, 'Roughness')
+        return self._glass(kind, p, self.paint(p, 'Color'), roughness, self.number(p, 'IOR', 1.45))
+
+    def _glass(self, kind, p, paint, roughness, ior, weight=1.0):
         if roughness > 0.05 and weight:
             self.losses.lost(self.where, 'Roughness', p.node.name, 'light scattered as it is refracted; drawn clear')
-        return Lobe('glass', paint, weight, roughness, ior)
+        return Lobe(kind, paint, weight, roughness, max(ior, LEAST_IOR))
 
     def shader_Emission(self, p):
         return Leaf([Lobe('emission', self.paint(p, 'Color'), self.number(p, 'Strength', 1.0))])
@@ -454,7 +426,7 @@ class Materials:
                      Lobe('glossy', base, metallic, roughness)]
             through = (1 - metallic) * transmission
             if through:
-                lobes.append(self._glass(p, base, roughness, ior, through))
+                lobes.append(self._glass('glass', p, base, roughness, ior, through))
             if coat:
                 lobes.append(Lobe('glossy', Paint.constant(WHITE), coat, coat_rough, f0=coat_f0))
             return Leaf(lobes)
@@ -568,10 +540,11 @@ class Materials:
         else:
             pigment = self._constant(values, finish)
         interior = None
-        glass = [l for l in lobes if l.kind == 'glass']
-        if glass:
-            heaviest = max(glass, key=lambda l: l.weight)
-            interior = 'interior { ior %s }' % text.number(heaviest.ior)
+        bending = [l for l in lobes if l.kind in ('glass', 'refraction')]
+        if bending:
+            interior = 'interior { ior %s }' % text.number(max(bending, key=lambda l: l.weight).ior)
+        if 'glass' in amount:
+            heaviest = max((l for l in lobes if l.kind == 'glass'), key=lambda l: l.weight)
             finish.glass(amount['glass'])
             finish.shine(highlight(heaviest.roughness, ((heaviest.ior - 1) / (heaviest.ior + 1)) ** 2),
                          amount['glass'])
@@ -608,7 +581,7 @@ class Materials:
         if diffuse.max() > 0:
             diffuse += finish.haze
         behind = values.get('translucent')
-        clear = values.get('transparent', np.zeros(3)) + values.get('glass', np.zeros(3))
+        clear = sum((values[kind] for kind in CLEAR if kind in values), np.zeros(3))
         emission = values.get('emission')
         through = float(clear.max())
         colour = diffuse if behind is None else np.maximum(diffuse, behind)
@@ -661,7 +634,7 @@ class Materials:
                 finish.behind += lobe.weight
             elif lobe.kind == 'emission':
                 finish.emission = finish.emission + lobe.weight
-            elif lobe.kind in ('glass', 'transparent'):
+            elif lobe.kind in CLEAR:
                 clear += lobe.weight
         for weight, lobe in finish.rough_metal:
             finish.diffuse += weight
@@ -670,8 +643,11 @@ class Materials:
         finish.metal_colour = None if finish.metal_weight else finish.metal_colour
         if clear:
             finish.diffuse /= max(1.0 - min(clear, 1.0), 1e-3) if clear < 1 else 1.0
-            body = pigment.body.replace('interpolate 2', 'interpolate 2 filter all %s' % text.number(min(clear, 1.0))) \
-                if 'image_map' in pigment.body else pigment.body
+            share = text.number(min(clear, 1.0))
+            if 'image_map' in pigment.body:
+                body = pigment.body.replace('interpolate 2', 'interpolate 2 filter all %s' % share)
+            else:
+                body = re.sub(r'\brgb <([^>]*)>', r'rgbf <\1,%s>' % share, pigment.body)
             if body == pigment.body:
                 self.losses.lost(self.where, 'Color', '-', 'transparent in a colour that varies; drawn opaque')
                 finish.diffuse += clear

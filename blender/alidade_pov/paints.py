@@ -8,6 +8,7 @@ colour layers its sockets use decides what it becomes, the first that fits:
     nothing                             a constant
     one image, as it is                 image_map, with the picture's own file
     one procedural texture              POV-Ray's pattern with a color_map that holds what the other nodes do
+    the angle of view (Fresnel, facing) the pattern aoi with a color_map that holds all nodes
     vertex colours                      a texture a corner (textures are made by the mesh's writer)
     images and textures on one UV map   an image_map computed from the nodes
     anything else                       its mean, listed as lost
@@ -18,7 +19,7 @@ import numpy as np
 
 from . import pictures, text
 from .images import sample
-from .values import Place, Points, Tree, as_colour, as_number, origin
+from .values import DISC, Place, Points, Tree, as_colour, as_number, origin
 
 PROBES = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0.3, 0.7, 0.2]], np.float64)
 BAKE = 1024             # side of a picture computed over the unit square
@@ -70,7 +71,7 @@ class Probe:
     """What a paint depends on."""
 
     def __init__(self, paint, tree):
-        self.images, self.natives, self.colours = [], [], set()
+        self.images, self.natives, self.colours, self.facing = [], [], set(), []
 
         def sampler(tree, place, points):
             at = tree.place_vector(place, points)
@@ -80,13 +81,19 @@ class Probe:
         def colours(layer):
             self.colours.add(layer)
             return np.full((len(PROBES), 4), 0.5)
-        points = Points(len(PROBES), every=PROBES, sampler=sampler, colours=colours, natives=self.natives)
+        points = Points(len(PROBES), every=PROBES, sampler=sampler, colours=colours, natives=self.natives,
+                        facing=self.facing)
         self.value = paint.value(tree, points)
         self.kinds = sorted(kind for what, kind in points.asked if what == 'coordinate')
 
     @property
     def constant(self):
-        return not (self.images or self.natives or self.colours or self.kinds)
+        return not (self.facing or self.varies)
+
+    @property
+    def varies(self):
+        """From place to place."""
+        return bool(self.images or self.natives or self.colours or self.kinds)
 
 
 def _vector_kind(tree, place):
@@ -160,7 +167,8 @@ class Painter:
 
         def colours(layer):
             return np.full((16, 4), 0.5)
-        points = Points(16, every=np.random.RandomState(1).rand(16, 3), sampler=sampler, colours=colours)
+        points = Points(16, every=np.random.RandomState(1).rand(16, 3), sampler=sampler, colours=colours,
+                        cosine=DISC[::2])
         return paint.value(tree, points).mean(axis=0)
 
     def pigment(self, paint, where, socket, data=False):
@@ -175,10 +183,15 @@ class Painter:
         if probe.constant:
             rgb = probe.value[0]
             return Pigment('rgb %s' % text.vector(rgb), constant=rgb)
+        if not probe.varies:
+            return self._facing(paint, where, data)
+        if probe.facing:
+            self.losses.lost(where, socket, probe.facing[0].node.name, 'the angle of view together with what varies '
+                             'from place to place; its mean stands for it')
         if probe.colours and not (probe.images or probe.natives or probe.kinds):
             mean = self.mean(paint, where)
             return Pigment('rgb %s' % text.vector(mean), corner=paint, mean=mean)
-        found = self._image_as_it_is(paint, probe, where, data) or self._native(paint, probe, where) \
+        found = self._image_as_it_is(paint, probe, where, data) or self._native(paint, probe, where, data) \
             or self._along(paint, probe, where) or self._computed(paint, probe, where, socket, data)
         if found:
             return found
@@ -187,6 +200,16 @@ class Painter:
         self.losses.lost(where, socket, ' + '.join(nodes), 'textures that do not share one set of coordinates; '
                          'their mean colour stands for them')
         return Pigment('rgb %s' % text.vector(mean), constant=mean)
+
+    # The angle of view alone: aoi is 1 where a surface faces the ray and 1/2 where it is seen from the side
+    def _facing(self, paint, where, data):
+        tree = Tree(self.losses, where)
+        tree.quiet = True
+        values = np.linspace(0.5, 1, MANY)
+        rgb = paint.value(tree, Points(MANY, cosine=-np.cos(np.pi * values)))
+        if data:
+            rgb = np.clip(rgb, 0, 1)
+        return Pigment('aoi color_map { %s }' % _color_map(values, rgb), mean=self.mean(paint, where))
 
     # One image, straight from the node
     def _image_as_it_is(self, paint, probe, where, data):
@@ -237,7 +260,7 @@ class Painter:
         return kind, matrix
 
     # One procedural texture
-    def _native(self, paint, probe, where):
+    def _native(self, paint, probe, where, data):
         if len({(p.node.name, p.stack) for p, _ in probe.natives}) != 1 or probe.images or probe.colours:
             return None
         place, at = probe.natives[0]
@@ -267,6 +290,8 @@ class Painter:
                 colours = np.random.RandomState(1).rand(len(values), 3)
         points = Points(len(values), scalar=((node.name, place.stack), values, colours), every=np.zeros((len(values), 3)))
         rgb = paint.value(tree, points)
+        if data:        # a factor: Blender clamps it, too
+            rgb = np.clip(rgb, 0, 1)
         mean = rgb.mean(axis=0)
         whole = np.vstack([matrix, [0, 0, 0, 1]])
         if entries is not None:

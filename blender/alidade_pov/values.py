@@ -20,7 +20,7 @@ class Points:
     """What is known where values are computed. coordinates: (n, 3) by kind ('uv:NAME', 'generated', 'object')."""
 
     def __init__(self, count=1, coordinates=None, colours=None, scalar=None, sampler=None, every=None,
-                 natives=None):
+                 natives=None, cosine=None, facing=None):
         self.count = count
         self.coordinates = coordinates or {}
         self.colours = colours          # function: layer name -> (n, 4) or None
@@ -28,6 +28,8 @@ class Points:
         self.sampler = sampler          # function: (tree, node, stack, coordinates) -> (n, 4)
         self.every = every              # one answer for every kind of coordinate, while probing
         self.natives = natives          # list, while probing: (place, coordinates) of each procedural texture
+        self.cosine = cosine            # (n,) of the angle between the ray and the normal, where that is known
+        self.facing = facing            # list, while probing: nodes that ask for it
         self.asked = set()
 
     def coordinate(self, node, kind):
@@ -199,6 +201,21 @@ MATH = {
 }
 
 
+def fresnel(cosine, eta):
+    """Mean reflection of the two polarisations at a surface of a dielectric; eta: its index of refraction."""
+    g = eta * eta - 1 + cosine * cosine
+    root = np.sqrt(np.maximum(g, 0))
+    with np.errstate(all='ignore'):
+        a = (root - cosine) / (root + cosine)
+        b = (cosine * (root + cosine) - 1) / (cosine * (root - cosine) + 1)
+        part = 0.5 * a * a * (1 + b * b)
+    return np.where(g > 0, np.nan_to_num(part, nan=1.0), 1.0)      # g <= 0: total reflection
+
+
+# Cosines of equal parts of the disc that a ball is seen as.
+DISC = np.sqrt((np.arange(32) + 0.5) / 32)
+
+
 def blackbody(kelvin):
     """Linear Rec.709 colour of a temperature, of luminance 1 like Blender's node, by Planck's law and CIE 1931.
 
@@ -368,12 +385,13 @@ class Tree:
         at = self.place_vector(p, points) * self.number(p, 'Scale', points)[:, None]
         joint, soft, bias, width, high = (self.number(p, name, points) for name in (
             'Mortar Size', 'Mortar Smooth', 'Bias', 'Brick Width', 'Row Height'))
-        width, high = np.where(width == 0, 1e-6, width), np.where(high == 0, 1e-6, high)
+        high = np.where(high == 0, 1e-6, high)
         row = np.floor(at[:, 1] / high).astype(np.int64)
         offset = np.zeros(points.count)
         if p.node.offset_frequency and p.node.squash_frequency:
             width = np.where(row % p.node.squash_frequency, width, width * p.node.squash)
             offset = np.where(row % p.node.offset_frequency, 0.0, width * p.node.offset)
+        width = np.where(width == 0, 1e-6, width)
         brick = np.floor((at[:, 0] + offset) / width).astype(np.int64)
         x, y = at[:, 0] + offset - width * brick, at[:, 1] - high * row
         tint = np.clip(_brick_noise((row << 16) + (brick & 0xffff)) + bias, 0, 1)
@@ -436,6 +454,31 @@ class Tree:
         first = {'Is Camera Ray': 1.0, 'Ray Length': 1.0}
         return np.full(points.count, first.get(p.socket.name, 0.0))
 
+    # By the angle of view
+    def _seen(self, p, points, of):
+        """of(cosine), or its mean over a ball where angles are not known."""
+        if points.facing is not None:
+            points.facing.append(p)
+        normal = p.node.inputs.get('Normal')
+        if normal is not None and normal.is_linked:
+            self.lost('Normal', p.node, 'the angle to a bent normal; taken to the surface\'s own')
+        if points.cosine is not None:
+            return of(points.cosine)
+        return sum(of(np.full(points.count, c)) for c in DISC) / len(DISC)
+
+    def node_Fresnel(self, p, points):
+        eta = np.maximum(self.number(p, 'IOR', points, 1.45), 1e-5)
+        return self._seen(p, points, lambda cosine: fresnel(cosine, eta))
+
+    def node_LayerWeight(self, p, points):
+        blend = self.number(p, 'Blend', points, 0.5)
+        if p.socket.name == 'Fresnel':
+            eta = 1 / np.maximum(1 - blend, 1e-5)
+            return self._seen(p, points, lambda cosine: fresnel(cosine, eta))
+        blend = np.clip(blend, 0, 1 - 1e-5)
+        power = np.where(blend < 0.5, 2 * blend, 0.5 / (1 - blend))
+        return self._seen(p, points, lambda cosine: 1 - np.abs(cosine) ** power)
+
     def node_ObjectInfo(self, p, points):
         raise Unsupported(p.node, 'object info "%s"' % p.socket.name)
 
@@ -455,7 +498,16 @@ class Tree:
             return (vector * scale) @ turn.T
         raise Unsupported(p.node, 'mapping of normals')
 
+    def _is_facing(self, p):
+        """A dot product of where the ray comes from and the normal."""
+        ends = [origin(Place(p.node, p.node.inputs[i], p.stack))[0] for i in (0, 1)]
+        return p.node.operation == 'DOT_PRODUCT' and all(
+            e is not None and e.node.bl_idname == 'ShaderNodeNewGeometry' for e in ends) \
+            and {e.socket.name for e in ends} == {'Incoming', 'Normal'}
+
     def node_VectorMath(self, p, points):
+        if self._is_facing(p):
+            return self._seen(p, points, lambda cosine: cosine)
         a, b = self.colour(p, 0, points), self.colour(p, 1, points)
         kind = p.node.operation
         simple = {'ADD': a + b, 'SUBTRACT': a - b, 'MULTIPLY': a * b, 'ABSOLUTE': np.abs(a), 'FLOOR': np.floor(a),

@@ -45,6 +45,17 @@ def close(a, b, tolerance=1e-5):
     return np.allclose(a, b, atol=tolerance)
 
 
+def ramp_at(text, value):
+    """The colour, to two digits, that a color_map over the angle of view has at a value."""
+    found = re.search(r'\baoi color_map \{ (.*?) \}', text)
+    if found is None:
+        return None
+    entries = re.findall(r'\[([^ ]*) rgb <([^>]*)>\]', found.group(1))
+    at = [float(e[0]) for e in entries]
+    rgb = np.array([[float(x) for x in e[1].split(',')] for e in entries])
+    return tuple(round(float(np.interp(value, at, rgb[:, i])), 2) for i in range(3))
+
+
 def has(name, text, *pieces):
     missing = [p for p in pieces if p not in text]
     check(name, not missing, 'no %s in %s' % (missing, text[-1500:]))
@@ -513,7 +524,42 @@ def textures():
         tree.links.new(new('BsdfDiffuse', Color=(1, 0, 0, 1)).outputs[0], mix.inputs[1])
         tree.links.new(new('BsdfDiffuse', Color=(0, 0, 1, 1)).outputs[0], mix.inputs[2])
         tree.links.new(mix.outputs[0], output.inputs[0])
-    has('facing mixes by its mean', on_ball(facing, 'facing')[0], 'rgb <0.666666')
+    text, losses, _ = on_ball(facing, 'facing')
+    # Seen from the front the first shader, from the side the second, of 1 - cos between: 0.75 of it at acos(0.25).
+    check('facing mixes by the angle of view', ramp_at(text, 1 - math.acos(0.25) / math.pi) == (0.75, 0.75, 0.75)
+          and ramp_at(text, 1) == (0, 0, 0) and not losses.lost_lines(), (text, losses.lost_lines()))
+
+    def film(new, tree):
+        ramp, node = new('MixRGB', Color1=(1, 0, 0, 1), Color2=(0, 0, 1, 1)), new('Fresnel', IOR=1.5)
+        tree.links.new(node.outputs[0], ramp.inputs[0])
+        return ramp.outputs[0]
+    text, losses, _ = on_ball(into_diffuse(film), 'film')
+    check('colours by Fresnel too: 0.04 from the front, 1 from the side', ramp_at(text, 1) == (0.96, 0, 0.04)
+          and ramp_at(text, 0.5) == (0, 0, 1) and not losses.lost_lines(), (text, losses.lost_lines()))
+
+    def facing_dot(new, tree, output):
+        mix, dot, node = new('MixShader'), new('VectorMath'), new('NewGeometry')
+        dot.operation = 'DOT_PRODUCT'
+        tree.links.new(node.outputs['Incoming'], dot.inputs[0])
+        tree.links.new(node.outputs['Normal'], dot.inputs[1])
+        tree.links.new(dot.outputs['Value'], mix.inputs[0])
+        tree.links.new(new('BsdfRefraction', Color=(1, 0.5, 1, 1), IOR=0.0).outputs[0], mix.inputs[1])
+        tree.links.new(new('BsdfDiffuse', Color=(0, 0, 1, 1)).outputs[0], mix.inputs[2])
+        tree.links.new(mix.outputs[0], output.inputs[0])
+    text, losses, whole = on_ball(facing_dot, 'facing-dot')
+    check('and by the product of Incoming and Normal', ramp_at(text, 1) == (1, 1, 1) and ramp_at(text, 0.5) == (0, 0, 0),
+          (text, losses.lost_lines()))
+    check('refraction has no reflection of its own, and an index as in Cycles', 'rgbf <1,0.5,1,1>' in text
+          and 'reflection' not in text and re.search(r'interior \{ ior (1e-05|0.00001) \}', whole), whole)
+
+    def stained(new, tree, output):
+        node, mix, film = new('BsdfTransparent'), new('MixRGB', Color1=(1, 0, 0, 1), Color2=(0, 0, 1, 1)), new('LayerWeight')
+        tree.links.new(film.outputs['Facing'], mix.inputs[0])
+        tree.links.new(mix.outputs[0], node.inputs[0])
+        tree.links.new(node.outputs[0], output.inputs[0])
+    text, losses, _ = on_ball(stained, 'stained')
+    check('what is transparent in a colour that varies filters by it', '[1 rgbf <1,0,0,1>]' in text and not losses.lost_lines(),
+          (text, losses.lost_lines()))
     _, losses, _ = shader('BsdfPrincipled', Specular_Tint=0.5)
     check('a tint of specular is lost', losses.lost_lines() == ['Mat, Specular Tint, Principled BSDF: left out'])
     _, losses, _ = shader('BsdfAnisotropic', Anisotropy=0.5)

@@ -314,6 +314,7 @@ static void test_textures(void **unused)
 		    "sphere { 0, 1 material { M } }", ONE("1 0 0"), true);
 	expect_dump("#declare M = material { texture { pigment { rgb x } } interior { ior 1.5 } } "
 		    "sphere { 0, 1 material { M } }", "interior 0 ior 1.5 ", true);
+	expect_dump("sphere { 0, 1 pigment { rgb x } interior { ior 0 } }", "interior 0 ior 1 ", true);
 	/* What is only declared is no error. */
 	expect_dump("#declare P = pigment { checker rgb 1 rgb 0 } #declare N = normal { bumps 1 } "
 		    "#declare T = texture { marble texture_map { [0 P] [1 P] } } "
@@ -603,7 +604,7 @@ static void test_errors(void **unused)
 		{ "sphere { 0, 1 finish { reflection { 1 exponent 0 } } }", "1:48: error: reflection's exponent" },
 		{ "global_settings { assumed_gamma 0 }", "1:33: error: assumed_gamma is 0" },
 		{ "sphere { 0, 1 scale <1e200,1,1> scale <1e200,1,1> }", "error: the object's transforms have no" },
-		{ "sphere { 0, 1 interior { ior 0 } }", "1:30: error: ior is 0" },
+		{ "sphere { 0, 1 interior { ior -1 } }", "1:30: error: ior is -1" },
 		{ "sphere { 0, 1 interior { dispersion 0 } }", "1:37: error: dispersion is 0" },
 		{ "sphere { 0, 1 interior { dispersion_samples 1 } }",
 		  "1:45: error: dispersion_samples is 1, but has to be from 2 to 1000\n" },

@@ -23,6 +23,17 @@ static void read_bands(struct pov *p, struct interior *i)
 	i->dispersion_samples = (uint32_t)x;
 }
 
+/* 0 is as good as none: measured. */
+static double read_ior(struct pov *p)
+{
+	struct diag_pos at = pov_here(p);
+	double x = pov_finite_float(p, "ior");
+
+	if (x < 0)
+		pov_fail_at(p, &at, "ior is %g, but has to be at least 0", x);
+	return x > 0 ? x : 1;
+}
+
 static bool read_word(struct pov *p, struct pov_interior *in)
 {
 	struct interior *i = &in->interior;
@@ -30,7 +41,7 @@ static bool read_word(struct pov *p, struct pov_interior *in)
 	switch (pov_token(p)) {
 	case TOK_IOR:
 		pov_next(p);
-		i->ior = pov_positive(p, "ior");
+		i->ior = read_ior(p);
 		in->bends = true;
 		return true;
 	case TOK_CAUSTICS:

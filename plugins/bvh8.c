@@ -14,7 +14,7 @@
 
 static const char *const isa_label[] = { "auto", "plain", "sse", "avx2", "avx512", NULL };
 static const ald_param params[] = {
-	{ "split", "references at most, in primitives: long thin triangles in parts; 1: none", ALD_REAL, 10, 1,
+	{ "split", "references at most, in primitives: long thin triangles in parts; 1: none", ALD_REAL, 16, 1,
 	  100, NULL },
 	{ "leaf", "triangles of a leaf at most", ALD_INT, 8, 1, SEATS * BLOCKS_MAX, NULL },
 	{ "isa", "instruction set; auto: the best there is", ALD_CHOICE, ISA_AUTO, 0, 4, isa_label },
@@ -45,6 +45,16 @@ static const struct isa *isa_of(unsigned want)
 	}
 #else
 	return want == ISA_AUTO || want == ISA_PLAIN ? &bvh8_plain : NULL;
+#endif
+}
+
+static int (*make_of(const struct isa *isa))(struct builder *)
+{
+#if defined __x86_64__
+	return isa == &bvh8_avx2 || isa == &bvh8_avx512 ? bvh8_sah_avx2 : bvh8_sah_base;
+#else
+	(void)isa;
+	return bvh8_sah_base;
 #endif
 }
 
@@ -83,7 +93,7 @@ static int bvh8_build(const ald_host *host, const ald_prims *prims, const double
 	if (!status)
 		status = host->progress(host->ctx, 0.05) ? ALD_CANCELLED : bvh8_split(&b);
 	if (!status)
-		status = host->progress(host->ctx, 0.1) ? ALD_CANCELLED : bvh8_sah(&b);
+		status = host->progress(host->ctx, 0.1) ? ALD_CANCELLED : bvh8_tree(&b, make_of(isa));
 	if (!status)
 		status = host->progress(host->ctx, 0.8) ? ALD_CANCELLED : bvh8_widen(&b);
 	b.a->far = b.a->bytes > CACHE;
@@ -91,6 +101,9 @@ static int bvh8_build(const ald_host *host, const ald_prims *prims, const double
 		b.a->interleave = INTERLEAVE_MAX;
 	host->free(host->ctx, b.ref);
 	host->free(host->ctx, b.twig);
+	host->free(host->ctx, b.task);
+	host->free(host->ctx, b.corner);
+	host->free(host->ctx, b.made);
 	if (status)
 		bvh8_destroy(b.a);
 	else

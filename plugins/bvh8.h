@@ -96,8 +96,8 @@ enum { ISA_AUTO, ISA_PLAIN, ISA_SSE, ISA_AVX2, ISA_AVX512 };
 struct ref { /* a box, of a primitive or a part of one */
 	float lo[3];
 	uint32_t id;
-	float hi[3];
-	uint32_t zero;
+	float minus_hi[3];
+	float zero; /* 1: has to stay whole */
 };
 
 struct twig { /* a node of the binary tree; its children stand side by side */
@@ -112,15 +112,23 @@ struct builder {
 	const ald_prims *prims;
 	const double *value;
 	ald_accel *a;
-	struct ref *ref, *spare; /* spare: NULL, or of the same size, for parallel sorting */
+	struct ref *ref, *spare; /* spare: of the same size, for parallel sorting */
 	struct twig *twig;
-	uint32_t refs, inner; /* inner: twigs that are no leaves */
+	void *task; /* ranges that were one job each */
+	float *corner; /* of triangles, three times x, y, z, 0; NULL: none is to be cut */
+	float whole; /* half the area of the scene's box */
+	uint32_t *made; /* by each of these: twigs that are no leaves */
+	uint32_t refs, room; /* room: how many refs there may be */
+	uint32_t twigs_a_ref, root, top, tasks; /* top: twigs above the tasks */
 };
 
 void *bvh8_take(const ald_host *, uint64_t n, size_t each, const char *what);
 int bvh8_refs(struct builder *); /* ref[] from the primitives */
-int bvh8_split(struct builder *); /* long thin ones in parts */
-int bvh8_sah(struct builder *); /* ref[] in order, and twig[] */
+int bvh8_split(struct builder *); /* corner[] and room, if triangles are to be cut */
+int bvh8_tree(struct builder *, int (*make)(struct builder *)); /* ref[] in order, and twig[] */
+int bvh8_sah_base(struct builder *);
+int bvh8_sah_avx2(struct builder *);
+uint32_t bvh8_task_twig(const struct builder *, uint32_t task);
 int bvh8_widen(struct builder *); /* twig[] to what rays walk through */
 void bvh8_destroy(ald_accel *);
 

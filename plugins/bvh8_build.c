@@ -99,7 +99,7 @@ static void ref_job(void *arg, uint32_t job)
 			continue;
 		for (unsigned k = 0; k < 3; k++) {
 			r->lo[k] = ald_float_down((ald_get(&box.lo, k) - b->a->centre[k]) * b->a->scale);
-			r->hi[k] = ald_float_up((ald_get(&box.hi, k) - b->a->centre[k]) * b->a->scale);
+			r->minus_hi[k] = -ald_float_up((ald_get(&box.hi, k) - b->a->centre[k]) * b->a->scale);
 		}
 		r->id = id;
 		r->zero = 0;
@@ -146,7 +146,7 @@ int bvh8_refs(struct builder *b)
 	if (!b->prims->count)
 		box = (ald_box){ { 0, 0, 0 }, { 0, 0, 0 } };
 	place(b->a, &box);
-	b->refs = refs;
+	b->refs = b->room = refs;
 	b->ref = bvh8_take(h, refs, sizeof(*b->ref), "bvh8: building");
 	if (b->ref)
 		h->parallel(h->ctx, jobs, ref_job, &s);

@@ -19,6 +19,7 @@
 #define CHUNK 1024u /* references that one job looks at */
 #define LEVELS 8u /* of cuts of one triangle */
 #define GAIN 4.0
+#define ROOM 3.0 /* spatial splits, to what was counted */
 #define THIN 0x1p-12 /* width to length */
 
 struct part {
@@ -29,8 +30,8 @@ struct part {
 struct chopper {
 	struct builder *b;
 	double least; /* gain of a cut */
-	uint32_t *count; /* references of each chunk; then, where its first goes */
-	struct ref *out; /* NULL: count */
+	float large; /* area of a box that may be worth cutting */
+	uint32_t *count; /* references of each chunk */
 };
 
 static void part_box(const struct part *p, double lo[3], double hi[3])
@@ -84,54 +85,27 @@ static double plane_of(double lo, double hi)
 	return nearbyint(mid / g) * g;
 }
 
-static uint32_t emit(const double lo[3], const double hi[3], uint32_t id, struct ref *out)
-{
-	if (out) {
-		for (unsigned k = 0; k < 3; k++) {
-			out->lo[k] = ald_float_down(lo[k]);
-			out->hi[k] = ald_float_up(hi[k]);
-		}
-		out->id = id;
-		out->zero = 0;
-	}
-	return 1;
-}
-
 /* Returns how many references the part makes. */
-static uint32_t chop(const struct chopper *c, const struct part *p, unsigned level, uint32_t id,
-		     struct ref *out)
+static uint32_t chop(const struct chopper *c, const struct part *p, unsigned level)
 {
 	double lo[3], hi[3], l[2][3], h[2][3], whole;
 	struct part side[2];
 	unsigned axis = 0;
-	uint32_t n;
 
 	part_box(p, lo, hi);
 	whole = area(lo, hi);
 	for (unsigned k = 1; k < 3; k++)
 		axis = hi[k] - lo[k] > hi[axis] - lo[axis] ? k : axis;
 	if (level == LEVELS || !(whole > 2 * c->least))
-		return emit(lo, hi, id, out);
+		return 1;
 	cut(p, axis, plane_of(lo[axis], hi[axis]), side);
 	if (side[0].n < 3 || side[1].n < 3)
-		return emit(lo, hi, id, out);
+		return 1;
 	part_box(&side[0], l[0], h[0]);
 	part_box(&side[1], l[1], h[1]);
 	if (!(whole - area(l[0], h[0]) - area(l[1], h[1]) > c->least))
-		return emit(lo, hi, id, out);
-	n = chop(c, &side[0], level + 1, id, out);
-	return n + chop(c, &side[1], level + 1, id, out ? out + n : NULL);
-}
-
-static double ref_area(const struct ref *r)
-{
-	double lo[3], hi[3];
-
-	for (unsigned k = 0; k < 3; k++) {
-		lo[k] = (double)r->lo[k];
-		hi[k] = (double)r->hi[k];
-	}
-	return area(lo, hi);
+		return 1;
+	return chop(c, &side[0], level + 1) + chop(c, &side[1], level + 1);
 }
 
 static int is_thin(const struct part *p)
@@ -151,25 +125,17 @@ static int is_thin(const struct part *p)
 	return !(n2 > THIN * THIN * size * size);
 }
 
-static uint32_t chop_ref(const struct chopper *c, const struct ref *r, struct ref *out)
+static void part_of(const struct builder *b, uint32_t id, struct part *part)
 {
-	const ald_prims *p = c->b->prims;
-	const ald_accel *a = c->b->a;
-	struct part whole = { .n = 3 };
+	const ald_prims *p = b->prims;
 	ald_vec v[3];
 
-	if (r->id < p->tri_count && ref_area(r) > 2 * c->least) {
-		ald_corners(p, r->id, p->origin ? ald_group_of(p, r->id) : 0, v);
-		for (unsigned i = 0; i < 3; i++) {
-			for (unsigned k = 0; k < 3; k++)
-				whole.v[i][k] = (ald_get(&v[i], k) - a->centre[k]) * a->scale;
-		}
-		if (!is_thin(&whole))
-			return chop(c, &whole, 0, r->id, out);
+	part->n = 3;
+	ald_corners(p, id, p->origin ? ald_group_of(p, id) : 0, v);
+	for (unsigned i = 0; i < 3; i++) {
+		for (unsigned k = 0; k < 3; k++)
+			part->v[i][k] = (ald_get(&v[i], k) - b->a->centre[k]) * b->a->scale;
 	}
-	if (out)
-		*out = *r;
-	return 1;
 }
 
 static void chop_job(void *arg, uint32_t job)
@@ -177,31 +143,69 @@ static void chop_job(void *arg, uint32_t job)
 	const struct chopper *c = arg;
 	uint32_t end = c->b->refs - job * CHUNK < CHUNK ? c->b->refs : (job + 1) * CHUNK, n = 0;
 
-	for (uint32_t i = job * CHUNK; i < end; i++)
-		n += chop_ref(c, &c->b->ref[i], c->out ? c->out + c->count[job] + n : NULL);
-	if (!c->out)
-		c->count[job] = n;
+	for (uint32_t i = job * CHUNK; i < end; i++) {
+		const struct ref *r = &c->b->ref[i];
+		float x = r->lo[0] + r->minus_hi[0], y = r->lo[1] + r->minus_hi[1], z = r->lo[2] + r->minus_hi[2];
+		struct part whole;
+
+		n++;
+		if (x * y + y * z + z * x <= c->large || r->id >= c->b->prims->tri_count)
+			continue;
+		part_of(c->b, r->id, &whole);
+		if (!is_thin(&whole))
+			n += chop(c, &whole, 0) - 1;
+	}
+	c->count[job] = n;
 }
 
-/* How many references there would be. */
-static uint64_t count_refs(struct chopper *c, uint32_t jobs)
+static void corner_job(void *arg, uint32_t job)
 {
-	const ald_host *h = c->b->host;
-	uint64_t n = 0;
+	const struct chopper *c = arg;
+	const struct builder *b = c->b;
+	uint32_t end = b->refs - job * CHUNK < CHUNK ? b->refs : (job + 1) * CHUNK;
 
-	h->parallel(h->ctx, jobs, chop_job, c);
-	for (uint32_t i = 0; i < jobs; i++)
-		n += c->count[i];
-	return n;
+	for (uint32_t i = job * CHUNK; i < end; i++) {
+		struct ref *r = &b->ref[i];
+		struct part whole;
+
+		r->zero = 1;
+		if (r->id >= b->prims->tri_count)
+			continue;
+		part_of(b, r->id, &whole);
+		for (unsigned j = 0; j < 12; j++)
+			b->corner[12 * (size_t)r->id + j] = j % 4 < 3 ? (float)whole.v[j / 4][j % 4] : 0;
+		if (!is_thin(&whole))
+			r->zero = 0;
+	}
+}
+
+/* Room for more references, and corners to make them from. */
+static int make_room(struct chopper *c, uint64_t room, uint32_t jobs)
+{
+	struct builder *b = c->b;
+	const ald_host *h = b->host;
+	struct ref *ref = bvh8_take(h, room, sizeof(*ref), "bvh8: building");
+
+	b->corner = bvh8_take(h, 12 * (uint64_t)b->prims->tri_count, sizeof(*b->corner), "bvh8: building");
+	if (!ref || !b->corner) {
+		h->free(h->ctx, ref);
+		return ALD_NO_MEMORY;
+	}
+	memcpy(ref, b->ref, b->refs * sizeof(*ref));
+	h->free(h->ctx, b->ref);
+	b->ref = ref;
+	b->room = (uint32_t)room;
+	h->parallel(h->ctx, jobs, corner_job, c);
+	return ALD_OK;
 }
 
 int bvh8_split(struct builder *b)
 {
 	const ald_host *h = b->host;
 	struct chopper c = { .b = b };
-	uint32_t jobs = (b->refs + CHUNK - 1) / CHUNK, at = 0;
-	double lo[3], hi[3], most = b->value[P_SPLIT] * b->refs;
-	uint64_t n;
+	uint32_t jobs = (b->refs + CHUNK - 1) / CHUNK;
+	double lo[3], hi[3], room, most = b->value[P_SPLIT] * b->refs;
+	uint64_t n = 0;
 
 	if (b->value[P_SPLIT] <= 1 || !b->refs || most > 1e9)
 		return ALD_OK;
@@ -213,24 +217,13 @@ int bvh8_split(struct builder *b)
 		hi[k] = (ald_get(&b->a->box.hi, k) - ald_get(&b->a->box.lo, k)) * b->a->scale;
 	}
 	c.least = ald_max(GAIN * area(lo, hi) / b->refs, 0x1p-40);
-	while ((double)(n = count_refs(&c, jobs)) > most)
-		c.least *= 1.5;
-	if (n > b->refs) {
-		c.out = bvh8_take(h, n, sizeof(*c.out), "bvh8: building");
-		for (uint32_t i = 0; c.out && i < jobs; i++) {
-			uint32_t m = c.count[i];
-
-			c.count[i] = at;
-			at += m;
-		}
-		if (c.out) {
-			h->parallel(h->ctx, jobs, chop_job, &c);
-			h->free(h->ctx, b->ref);
-			b->ref = c.out;
-			b->refs = (uint32_t)n;
-			b->a->parts = 1;
-		}
-	}
+	c.large = (float)(2 * c.least);
+	h->parallel(h->ctx, jobs, chop_job, &c);
+	for (uint32_t i = 0; i < jobs; i++)
+		n += c.count[i];
 	h->free(h->ctx, c.count);
-	return n > b->refs ? ALD_NO_MEMORY : ALD_OK;
+	if (n < b->refs + b->refs / 16 + 1)
+		return ALD_OK;
+	room = b->refs + ROOM * (double)(n - b->refs);
+	return make_room(&c, (uint64_t)(room < most ? room : most), jobs);
 }

@@ -7,16 +7,24 @@
  */
 #include "bvh8.h"
 
-#define NODES_A_JOB 256u
-
 struct seat { /* of a node: the twig it is made of, and where its first of each kind of child is */
 	uint32_t twig, node, block, other;
 };
 
+struct part { /* of the tree: what one job makes, numbered from 0 each */
+	struct seat *seat;
+	uint32_t seats, blocks, others, leaves, depth;
+	uint32_t node, block, other; /* where those are in the whole */
+	uint64_t refs;
+	double cost;
+};
+
 struct widener {
 	struct builder *b;
+	struct part *part; /* the top, and then the tasks */
+	uint32_t *owner; /* of the top's twigs: the part below, or 0 */
 	struct seat *seat;
-	uint32_t seats, room;
+	float whole; /* area of the scene's box */
 };
 
 static float area(const struct twig *t)
@@ -26,9 +34,16 @@ static float area(const struct twig *t)
 	return x * y + y * z + z * x;
 }
 
-/* The largest are opened until there are eight; then in the order of size. */
-static uint32_t open_twig(const struct builder *b, uint32_t root, uint32_t kid[WIDTH])
+/* Of a twig at the top that is the root of a task's tree: which; else 0. */
+static uint32_t part_below(const struct widener *w, const struct part *p, uint32_t twig)
 {
+	return p == w->part ? w->owner[twig - w->b->root] : 0;
+}
+
+/* The largest are opened until there are eight; then in the order of size. */
+static uint32_t open_twig(const struct widener *w, const struct part *p, uint32_t root, uint32_t kid[WIDTH])
+{
+	const struct builder *b = w->b;
 	float size[WIDTH], swap;
 	uint32_t n = 0, next = b->twig[root].kid;
 
@@ -40,7 +55,7 @@ static uint32_t open_twig(const struct builder *b, uint32_t root, uint32_t kid[W
 		uint32_t best = WIDTH;
 
 		for (uint32_t i = 0; i < n; i++) {
-			if (!b->twig[kid[i]].count && (best == WIDTH || size[i] > size[best]))
+			if (!b->twig[kid[i]].count && !part_below(w, p, kid[i]) && (best == WIDTH || size[i] > size[best]))
 				best = i;
 		}
 		if (best == WIDTH)
@@ -91,56 +106,67 @@ static uint32_t place_leaf(struct builder *b, const struct twig *t, uint32_t *bl
 }
 
 /* Give the children of seat i places. */
-static void seat_children(struct widener *w, uint32_t i, float whole)
+static void seat_children(const struct widener *w, struct part *p, uint32_t i, uint32_t depth)
 {
 	struct builder *b = w->b;
-	ald_accel *a = b->a;
-	struct seat *s = &w->seat[i];
-	uint32_t kid[WIDTH], n = open_twig(b, s->twig, kid);
+	struct seat *s = &p->seat[i];
+	uint32_t kid[WIDTH], n = open_twig(w, p, s->twig, kid);
 
-	s->node = w->seats;
-	s->block = a->blocks;
-	s->other = a->others;
-	a->cost += (double)(area(&b->twig[s->twig]) / whole);
+	s->node = p->seats;
+	s->block = p->blocks;
+	s->other = p->others;
+	p->cost += (double)(area(&b->twig[s->twig]) / w->whole);
 	for (uint32_t k = 0; k < n; k++) {
 		const struct twig *t = &b->twig[kid[k]];
+		uint32_t below = part_below(w, p, kid[k]);
 
-		if (!t->count) {
-			w->seat[w->seats++].twig = kid[k];
-			continue;
+		if (!t->count && below) {
+			if (depth + w->part[below].depth > p->depth)
+				p->depth = depth + w->part[below].depth;
+		} else if (!t->count) {
+			p->seat[p->seats++].twig = kid[k];
+		} else {
+			place_leaf(b, t, &p->blocks, &p->others);
+			p->leaves++;
+			p->refs += t->count;
+			p->cost += (double)(area(t) / w->whole) * (holds_others(b, t) ? t->count : blocks_of(t));
 		}
-		place_leaf(b, t, &a->blocks, &a->others);
-		a->leaves++;
-		a->cost += (double)(area(t) / whole) * (holds_others(b, t) ? t->count : blocks_of(t));
 	}
 }
 
-static void seat_all(struct widener *w)
+static void seat_part(const struct widener *w, struct part *p, uint32_t root)
 {
 	struct place {
 		uint32_t from, to, depth; /* seats that are still to be opened */
 	} stack[LEVELS_MAX + 1];
-	ald_accel *a = w->b->a;
 	uint32_t top = 0;
-	float whole = area(&w->b->twig[w->seat[0].twig]);
 
-	whole = whole > 0 ? whole : 1;
+	p->seat[p->seats++].twig = root;
 	stack[top++] = (struct place){ 0, 1, 1 };
 	while (top) {
-		struct place *p = &stack[top - 1], next;
+		struct place *s = &stack[top - 1], next;
 
-		if (p->from == p->to) {
+		if (s->from == s->to) {
 			top--;
 			continue;
 		}
-		if (p->depth > a->depth)
-			a->depth = p->depth;
-		next = (struct place){ w->seats, 0, p->depth + 1 };
-		seat_children(w, p->from++, whole);
-		next.to = w->seats;
+		if (s->depth > p->depth)
+			p->depth = s->depth;
+		next = (struct place){ p->seats, 0, s->depth + 1 };
+		seat_children(w, p, s->from++, s->depth);
+		next.to = p->seats;
 		if (next.to > next.from)
 			stack[top++] = next;
 	}
+}
+
+static void seat_job(void *arg, uint32_t i)
+{
+	const struct widener *w = arg;
+	uint32_t root = bvh8_task_twig(w->b, i);
+
+	if (!w->b->twig[root].count)
+		seat_part(w, &w->part[i + 1], root);
 }
 
 static void fill_block(const struct builder *b, struct block *n, const struct ref *ref, uint32_t count)
@@ -194,16 +220,20 @@ static void fill_leaf(const struct builder *b, uint32_t ref, const struct twig *
 			   t->count - i < SEATS ? t->count - i : SEATS);
 }
 
-static void fill_node(const struct widener *w, uint32_t i)
+static void fill_node(const struct widener *w, const struct part *p, uint32_t i)
 {
 	struct builder *b = w->b;
-	struct seat s = w->seat[i];
-	struct node *node = &b->a->node[i];
-	uint32_t kid[WIDTH], n = open_twig(b, s.twig, kid);
+	struct seat s = p->seat[i];
+	struct node *node = &b->a->node[p->node + i];
+	uint32_t kid[WIDTH], n = open_twig(w, p, s.twig, kid);
 
+	s.node += p->node;
+	s.block += p->block;
+	s.other += p->other;
 	memset(node, 0, sizeof(*node));
 	for (unsigned k = 0; k < WIDTH; k++) {
 		const struct twig *t = &b->twig[kid[k < n ? k : 0]];
+		uint32_t below = part_below(w, p, kid[k < n ? k : 0]);
 
 		for (unsigned j = 0; j < 3; j++) {
 			node->plane[2 * j][k] = k < n ? t->lo[j] : INFINITY;
@@ -212,18 +242,22 @@ static void fill_node(const struct widener *w, uint32_t i)
 		node->child[k] = EMPTY;
 		if (k >= n)
 			continue;
-		node->child[k] = t->count ? place_leaf(b, t, &s.block, &s.other) : s.node++;
-		if (t->count)
+		if (t->count) {
+			node->child[k] = place_leaf(b, t, &s.block, &s.other);
 			fill_leaf(b, node->child[k], t);
+		} else {
+			node->child[k] = below ? w->part[below].node : s.node++;
+		}
 	}
 }
 
 static void fill_job(void *arg, uint32_t job)
 {
 	const struct widener *w = arg;
+	const struct part *p = &w->part[job];
 
-	for (uint32_t i = job * NODES_A_JOB; i < w->seats && i < (job + 1) * NODES_A_JOB; i++)
-		fill_node(w, i);
+	for (uint32_t i = 0; i < p->seats; i++)
+		fill_node(w, p, i);
 }
 
 static void *keep(struct builder *b, uint64_t n, size_t each, const char *what)
@@ -239,6 +273,7 @@ static int widen_leaf(struct builder *b, const struct twig *t)
 
 	a->root = place_leaf(b, t, &a->blocks, &a->others);
 	a->leaves = 1;
+	a->refs = t->count;
 	a->block = keep(b, a->blocks, sizeof(*a->block), "bvh8: triangles");
 	a->other = keep(b, a->others, sizeof(*a->other), "bvh8: references");
 	if (!a->block || !a->other)
@@ -248,37 +283,90 @@ static int widen_leaf(struct builder *b, const struct twig *t)
 	return ALD_OK;
 }
 
+static int seat_all(struct widener *w)
+{
+	struct builder *b = w->b;
+	const ald_host *h = b->host;
+	uint64_t room = b->top;
+	uint32_t twigs = 2 * b->top + 1, at = b->top;
+
+	for (uint32_t i = 0; i < b->tasks; i++)
+		room += b->made[i];
+	w->part = bvh8_take(h, b->tasks + 1, sizeof(*w->part), "bvh8: building");
+	w->owner = bvh8_take(h, twigs, sizeof(*w->owner), "bvh8: building");
+	w->seat = bvh8_take(h, room, sizeof(*w->seat), "bvh8: building");
+	if (!w->part || !w->owner || !w->seat)
+		return ALD_NO_MEMORY;
+	memset(w->owner, 0, twigs * sizeof(*w->owner));
+	for (uint32_t i = 0; i <= b->tasks; i++)
+		w->part[i] = (struct part){ .seat = w->seat };
+	for (uint32_t i = 0; i < b->tasks; i++) {
+		w->owner[bvh8_task_twig(b, i) - b->root] = i + 1;
+		w->part[i + 1].seat += at;
+		at += b->made[i];
+	}
+	h->parallel(h->ctx, b->tasks, seat_job, w);
+	if (b->top)
+		seat_part(w, w->part, b->root);
+	return ALD_OK;
+}
+
+/* Where the parts go, one behind the other. Returns 0 if there is too much of it. */
+static int join_parts(const struct widener *w)
+{
+	ald_accel *a = w->b->a;
+	uint64_t nodes = 0, blocks = 0, others = 0;
+
+	for (uint32_t i = 0; i <= w->b->tasks; i++) {
+		struct part *p = &w->part[i];
+
+		p->node = (uint32_t)nodes;
+		p->block = (uint32_t)blocks;
+		p->other = (uint32_t)others;
+		nodes += p->seats;
+		blocks += p->blocks;
+		others += p->others;
+		a->leaves += p->leaves;
+		a->refs += p->refs;
+		a->cost += p->cost;
+		if (p->depth > a->depth)
+			a->depth = p->depth;
+	}
+	a->nodes = (uint32_t)nodes;
+	a->blocks = (uint32_t)blocks;
+	a->others = (uint32_t)others;
+	return nodes < REF_LEAF && blocks <= REF_INDEX && others <= REF_INDEX;
+}
+
 int bvh8_widen(struct builder *b)
 {
 	ald_accel *a = b->a;
 	const ald_host *h = b->host;
 	struct widener w = { .b = b };
-	const struct twig *root = &b->twig[2 * (size_t)b->refs];
-	int status = ALD_NO_MEMORY;
+	const struct twig *root = &b->twig[b->root];
+	int status;
 
 	a->root = EMPTY;
-	a->refs = b->refs;
 	if (!b->refs)
 		return ALD_OK;
 	if (root->count)
 		return widen_leaf(b, root);
-	w.room = b->inner;
-	w.seat = bvh8_take(h, w.room, sizeof(*w.seat), "bvh8: building");
-	if (!w.seat)
-		return ALD_NO_MEMORY;
-	w.seat[w.seats++].twig = 2 * b->refs;
-	seat_all(&w);
-	a->root = 0;
-	a->nodes = w.seats;
-	if (a->blocks <= REF_INDEX && a->others <= REF_INDEX) {
+	w.whole = area(root) > 0 ? area(root) : 1;
+	status = seat_all(&w);
+	if (!status && !join_parts(&w))
+		status = ALD_NO_MEMORY;
+	if (!status) {
+		a->root = 0;
 		a->node = keep(b, a->nodes, sizeof(*a->node), "bvh8: nodes");
 		a->block = keep(b, a->blocks, sizeof(*a->block), "bvh8: triangles");
 		a->other = keep(b, a->others, sizeof(*a->other), "bvh8: references");
 		if (a->node && a->block && a->other)
-			status = ALD_OK;
+			h->parallel(h->ctx, b->tasks + 1, fill_job, &w);
+		else
+			status = ALD_NO_MEMORY;
 	}
-	if (!status)
-		h->parallel(h->ctx, (a->nodes + NODES_A_JOB - 1) / NODES_A_JOB, fill_job, &w);
+	h->free(h->ctx, w.part);
+	h->free(h->ctx, w.owner);
 	h->free(h->ctx, w.seat);
 	return status;
 }

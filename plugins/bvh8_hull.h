@@ -1,0 +1,151 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * Vectors of bvh8's builders. A hull is a box with its high sides negated: joining two is one minimum of eight
+ * floats. To be included by one file for each instruction set; a minimum, a difference and a product round
+ * alike on all of them, so all build the same tree.
+ */
+#ifndef BVH8_HULL_H
+#define BVH8_HULL_H
+
+#include <string.h>
+
+#include "bvh8.h"
+
+#if defined __SSE2__
+#include <immintrin.h>
+#endif
+
+#define V static inline __attribute__((always_inline, unused))
+#define FAR 0x1p100f
+
+#if defined __SSE2__
+typedef __m128 q4;
+
+V q4 q4_all(float x) { return _mm_set1_ps(x); }
+V q4 q4_load(const float *p) { return _mm_load_ps(p); }
+V void q4_store(float *p, q4 a) { _mm_store_ps(p, a); }
+V q4 q4_add(q4 a, q4 b) { return _mm_add_ps(a, b); }
+V q4 q4_sub(q4 a, q4 b) { return _mm_sub_ps(a, b); }
+V q4 q4_mul(q4 a, q4 b) { return _mm_mul_ps(a, b); }
+V q4 q4_min(q4 a, q4 b) { return _mm_min_ps(a, b); }
+V q4 q4_max(q4 a, q4 b) { return _mm_max_ps(a, b); }
+V void q4_whole(q4 a, int32_t n[4]) { _mm_storeu_si128((__m128i *)(void *)n, _mm_cvttps_epi32(a)); }
+/* The fourth lane 0. */
+V q4 q4_three(q4 a) { return _mm_and_ps(a, _mm_castsi128_ps(_mm_set_epi32(0, -1, -1, -1))); }
+#else
+typedef struct {
+	float x[4];
+} q4;
+
+#define EACHQ for (unsigned i = 0; i < 4; i++)
+
+V q4 q4_all(float x) { return (q4){ { x, x, x, x } }; }
+V q4 q4_load(const float *p) { q4 r; EACHQ r.x[i] = p[i]; return r; }
+V void q4_store(float *p, q4 a) { EACHQ p[i] = a.x[i]; }
+V q4 q4_add(q4 a, q4 b) { EACHQ a.x[i] += b.x[i]; return a; }
+V q4 q4_sub(q4 a, q4 b) { EACHQ a.x[i] -= b.x[i]; return a; }
+V q4 q4_mul(q4 a, q4 b) { EACHQ a.x[i] *= b.x[i]; return a; }
+V q4 q4_min(q4 a, q4 b) { EACHQ a.x[i] = a.x[i] < b.x[i] ? a.x[i] : b.x[i]; return a; }
+V q4 q4_max(q4 a, q4 b) { EACHQ a.x[i] = a.x[i] > b.x[i] ? a.x[i] : b.x[i]; return a; }
+V void q4_whole(q4 a, int32_t n[4]) { EACHQ n[i] = (int32_t)a.x[i]; }
+V q4 q4_three(q4 a) { a.x[3] = 0; return a; }
+#endif
+
+V q4 q4_negate(q4 a) { return q4_sub(q4_all(-0.0f), a); }
+
+#ifdef HULL_AVX2
+typedef __m256 hull;
+
+V hull hull_load(const float *p) { return _mm256_load_ps(p); }
+V hull hull_join(hull a, hull b) { return _mm256_min_ps(a, b); }
+V hull hull_common(hull a, hull b) { return _mm256_max_ps(a, b); }
+V q4 hull_lo(hull a) { return _mm256_castps256_ps128(a); }
+V q4 hull_minus_hi(hull a) { return _mm256_extractf128_ps(a, 1); }
+V hull hull_make(q4 lo, q4 minus_hi) { return _mm256_insertf128_ps(_mm256_castps128_ps256(lo), minus_hi, 1); }
+#else
+typedef struct {
+	q4 lo, minus_hi;
+} hull;
+
+V hull hull_load(const float *p) { return (hull){ q4_load(p), q4_load(p + 4) }; }
+V hull hull_join(hull a, hull b) { return (hull){ q4_min(a.lo, b.lo), q4_min(a.minus_hi, b.minus_hi) }; }
+V hull hull_common(hull a, hull b) { return (hull){ q4_max(a.lo, b.lo), q4_max(a.minus_hi, b.minus_hi) }; }
+V q4 hull_lo(hull a) { return a.lo; }
+V q4 hull_minus_hi(hull a) { return a.minus_hi; }
+V hull hull_make(q4 lo, q4 minus_hi) { return (hull){ lo, minus_hi }; }
+#endif
+
+V hull hull_none(void)
+{
+	return hull_make(q4_all(FAR), q4_all(FAR));
+}
+
+V float q4_area(q4 size)
+{
+	float d[4] __attribute__((aligned(16)));
+
+	q4_store(d, size);
+	return d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
+}
+
+/* Half of it. */
+V float hull_area(hull a)
+{
+	return q4_area(q4_add(hull_lo(a), hull_minus_hi(a))); /* both negative */
+}
+
+V hull ref_hull(const struct ref *r)
+{
+	return hull_load(r->lo);
+}
+
+/* Twice the middle; its last lane is 0, which with an id in it could be anything, and slow. */
+V q4 hull_mid(hull a)
+{
+	return q4_sub(q4_three(hull_lo(a)), q4_three(hull_minus_hi(a)));
+}
+
+struct range {
+	uint32_t first, count, end; /* end: of the room that there is for it */
+	uint32_t twig, depth, twigs; /* twigs: as many as may be made below it */
+	hull box;
+	q4 lo, hi; /* of the middles, doubled */
+};
+
+V void range_clear(struct range *r)
+{
+	r->box = hull_none();
+	r->lo = q4_all(FAR);
+	r->hi = q4_all(-FAR);
+}
+
+V void range_add(struct range *r, hull h, q4 mid)
+{
+	r->box = hull_join(r->box, h);
+	r->lo = q4_min(r->lo, mid);
+	r->hi = q4_max(r->hi, mid);
+}
+
+V void range_join(struct range *r, const struct range *s)
+{
+	r->box = hull_join(r->box, s->box);
+	r->lo = q4_min(r->lo, s->lo);
+	r->hi = q4_max(r->hi, s->hi);
+}
+
+V void set_twig(struct twig *t, const struct range *r, uint32_t kid, uint32_t count)
+{
+	float lo[4] __attribute__((aligned(16))), hi[4] __attribute__((aligned(16)));
+
+	q4_store(lo, hull_lo(r->box));
+	q4_store(hi, hull_minus_hi(r->box));
+	for (unsigned k = 0; k < 3; k++) {
+		t->lo[k] = lo[k];
+		t->hi[k] = -hi[k];
+	}
+	t->kid = kid;
+	t->count = count;
+}
+
+#endif

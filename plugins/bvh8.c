@@ -103,7 +103,8 @@ static int bvh8_build(const ald_host *host, const ald_prims *prims, const double
 	host->free(host->ctx, b.twig);
 	host->free(host->ctx, b.task);
 	host->free(host->ctx, b.corner);
-	host->free(host->ctx, b.made);
+	host->free(host->ctx, b.part);
+	host->free(host->ctx, b.seat);
 	if (status)
 		bvh8_destroy(b.a);
 	else

@@ -107,6 +107,18 @@ struct twig { /* a node of the binary tree; its children stand side by side */
 	uint32_t count; /* references of a leaf; 0: inner */
 };
 
+struct seat { /* of a node: the twig it is made of, and where its first of each kind of child is */
+	uint32_t twig, node, block, other;
+};
+
+struct part { /* of the wide tree: what one job makes, numbered from 0 each */
+	struct seat *seat;
+	uint32_t seats, blocks, others, leaves, depth;
+	uint32_t node, block, other; /* where those are in the whole */
+	uint64_t refs;
+	double cost;
+};
+
 struct builder {
 	const ald_host *host;
 	const ald_prims *prims;
@@ -117,7 +129,8 @@ struct builder {
 	void *task; /* ranges that were one job each */
 	float *corner; /* of triangles, three times x, y, z, 0; NULL: none is to be cut */
 	float whole; /* half the area of the scene's box */
-	uint32_t *made; /* by each of these: twigs that are no leaves */
+	struct part *part; /* the top, and then the tasks */
+	struct seat *seat;
 	uint32_t refs, room; /* room: how many refs there may be */
 	uint32_t twigs_a_ref, root, top, tasks; /* top: twigs above the tasks */
 };
@@ -128,6 +141,7 @@ int bvh8_split(struct builder *); /* corner[] and room, if triangles are to be c
 int bvh8_tree(struct builder *, int (*make)(struct builder *)); /* ref[] in order, and twig[] */
 int bvh8_sah_base(struct builder *);
 int bvh8_sah_avx2(struct builder *);
+void bvh8_seat(struct builder *, uint32_t task, uint32_t root); /* nodes of a task's tree get places */
 uint32_t bvh8_task_twig(const struct builder *, uint32_t task);
 int bvh8_widen(struct builder *); /* twig[] to what rays walk through */
 void bvh8_destroy(ald_accel *);

@@ -10,6 +10,7 @@
 #include "bvh8_hull.h"
 
 #define BINS 16u
+#define AHEAD 32u /* references to be fetched early */
 #define STEP_COST 0.5f /* of a split, in blocks */
 
 struct bins {
@@ -94,6 +95,8 @@ V void bins_add(struct bins *b, const struct ref *ref, uint32_t n)
 			bins_clear(&more[k]);
 		}
 		for (; i + 3 < n; i += 4) {
+			__builtin_prefetch(&ref[i + AHEAD]);
+			__builtin_prefetch(&ref[i + AHEAD + 2]);
 			bins_add_one(b, &ref[i]);
 			for (unsigned k = 0; k < 3; k++)
 				bins_add_one(&more[k], &ref[i + k + 1]);

@@ -69,17 +69,50 @@ static int box_of(const ald_prims *p, uint32_t id, ald_box *box)
 	return sum == 0 && !same(&v[0], &v[1]) && !same(&v[1], &v[2]) && !same(&v[2], &v[0]);
 }
 
+/* The triangles with the outermost sides: no other's bounds, grown by the same, can be farther out. */
+struct outer {
+	double side[6]; /* low, and high negated */
+	uint32_t id[6];
+};
+
+static void outer_add(struct outer *o, const ald_box *box, uint32_t id)
+{
+	for (unsigned k = 0; k < 6; k++) {
+		double x = k < 3 ? ald_get(&box->lo, k) : -ald_get(&box->hi, k - 3);
+
+		if (x < o->side[k]) {
+			o->side[k] = x;
+			o->id[k] = id;
+		}
+	}
+}
+
 static void scan_job(void *arg, uint32_t job)
 {
 	struct scan *s = arg;
 	const ald_prims *p = s->b->prims;
 	struct chunk c = { ald_box_empty(), 0 };
-	uint32_t end = p->count - job * CHUNK < CHUNK ? p->count : (job + 1) * CHUNK;
+	uint32_t end = p->count - job * CHUNK < CHUNK ? p->count : (job + 1) * CHUNK, first = job * CHUNK;
+	struct outer o;
 	ald_box box;
 
-	for (uint32_t id = job * CHUNK; id < end; id++) {
-		c.valid += (uint32_t)box_of(p, id, &box);
-		p->bounds(p, id, &box);
+	for (unsigned k = 0; k < 6; k++) {
+		o.side[k] = INFINITY;
+		o.id[k] = first;
+	}
+	for (uint32_t id = first; id < end; id++) {
+		int valid = box_of(p, id, &box);
+
+		c.valid += (uint32_t)valid;
+		if (!valid || id >= p->tri_count) {
+			p->bounds(p, id, &box);
+			ald_box_join(&c.box, &box);
+		} else {
+			outer_add(&o, &box, id);
+		}
+	}
+	for (unsigned k = 0; k < 6; k++) {
+		p->bounds(p, o.id[k], &box);
 		ald_box_join(&c.box, &box);
 	}
 	s->chunk[job] = c;

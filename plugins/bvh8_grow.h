@@ -16,7 +16,6 @@
 struct grower {
 	const struct builder *b;
 	uint32_t kids; /* where the next two twigs go */
-	uint32_t made;
 };
 
 static void measure(const struct ref *ref, uint32_t n, struct range *r)
@@ -53,25 +52,31 @@ V uint32_t part(struct ref *ref, uint32_t n, const struct bins *b, const struct 
 {
 	struct range l = *left, r = *right;
 	uint32_t i = 0, j = n;
+	hull h;
 
 	range_clear(&l);
 	range_clear(&r);
-	while (i < j) {
-		hull h = ref_hull(&ref[i]);
+	h = ref_hull(&ref[0]);
+	for (;;) {
 		q4 mid = hull_mid(h);
 		int32_t at[4];
-		struct ref swap;
+		hull swap;
 
 		bin_of(b, mid, at);
 		if (at[s->axis] < (int32_t)s->bin) {
 			range_add(&l, h, mid);
-			i++;
+			if (++i == j)
+				break;
+			h = ref_hull(&ref[i]);
 			continue;
 		}
 		range_add(&r, h, mid);
-		swap = ref[i];
-		ref[i] = ref[--j];
-		ref[j] = swap;
+		if (i == --j)
+			break;
+		swap = ref_hull(&ref[j]); /* whole: what was written in pieces is read slowly */
+		ref_store(&ref[j], h);
+		ref_store(&ref[i], swap);
+		h = swap;
 	}
 	*left = l;
 	*right = r;
@@ -252,7 +257,6 @@ static void grow(struct grower *g, struct range *r)
 	}
 	set_twig(&g->b->twig[r->twig], r, kid, 0);
 	g->kids += 2;
-	g->made++;
 	left.twig = kid;
 	right.twig = kid + 1;
 	left.depth = right.depth = r->depth + 1;

@@ -58,6 +58,7 @@ V q4 q4_negate(q4 a) { return q4_sub(q4_all(-0.0f), a); }
 typedef __m256 hull;
 
 V hull hull_load(const float *p) { return _mm256_load_ps(p); }
+V void hull_store(float *p, hull a) { _mm256_store_ps(p, a); }
 V hull hull_join(hull a, hull b) { return _mm256_min_ps(a, b); }
 V hull hull_common(hull a, hull b) { return _mm256_max_ps(a, b); }
 V q4 hull_lo(hull a) { return _mm256_castps256_ps128(a); }
@@ -69,6 +70,7 @@ typedef struct {
 } hull;
 
 V hull hull_load(const float *p) { return (hull){ q4_load(p), q4_load(p + 4) }; }
+V void hull_store(float *p, hull a) { q4_store(p, a.lo), q4_store(p + 4, a.minus_hi); }
 V hull hull_join(hull a, hull b) { return (hull){ q4_min(a.lo, b.lo), q4_min(a.minus_hi, b.minus_hi) }; }
 V hull hull_common(hull a, hull b) { return (hull){ q4_max(a.lo, b.lo), q4_max(a.minus_hi, b.minus_hi) }; }
 V q4 hull_lo(hull a) { return a.lo; }
@@ -98,6 +100,12 @@ V float hull_area(hull a)
 V hull ref_hull(const struct ref *r)
 {
 	return hull_load(r->lo);
+}
+
+/* With its id. */
+V void ref_store(struct ref *r, hull h)
+{
+	hull_store(r->lo, h);
 }
 
 /* Twice the middle; its last lane is 0, which with an id in it could be anything, and slow. */

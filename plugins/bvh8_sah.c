@@ -27,9 +27,13 @@ int bvh8_tree(struct builder *b, int (*make)(struct builder *))
 	b->root = (uint32_t)twigs;
 	b->twig = bvh8_take(h, twigs + top + 1, sizeof(*b->twig), "bvh8: building");
 	b->task = bvh8_take(h, top, sizeof(struct range), "bvh8: building");
-	b->made = bvh8_take(h, top, sizeof(*b->made), "bvh8: building");
+	b->part = bvh8_take(h, top + 1, sizeof(*b->part), "bvh8: building");
+	b->seat = bvh8_take(h, twigs / 2 + top + 1, sizeof(*b->seat), "bvh8: building");
 	b->spare = (struct ref *)(void *)b->twig; /* until the tasks begin */
-	return b->twig && b->task && b->made ? make(b) : ALD_NO_MEMORY;
+	if (!b->twig || !b->task || !b->part || !b->seat)
+		return ALD_NO_MEMORY;
+	b->part[0] = (struct part){ .seat = b->seat + twigs / 2 };
+	return make(b);
 }
 
 uint32_t bvh8_task_twig(const struct builder *b, uint32_t task)

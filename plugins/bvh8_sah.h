@@ -63,13 +63,14 @@ static void move_job(void *arg, uint32_t i)
 		q4 mid = hull_mid(h);
 		int32_t at[4];
 
+		__builtin_prefetch(&l->from[j + AHEAD]);
 		bin_of(&p->bins, mid, at);
 		if (s->axis < 3 ? at[s->axis] < (int32_t)s->bin : j - r->first < r->count / 2) {
 			range_add(&a, h, mid);
-			*left++ = l->from[j];
+			ref_store(left++, h);
 		} else {
 			range_add(&b, h, mid);
-			*right++ = l->from[j];
+			ref_store(right++, h);
 		}
 	}
 	p->side[0] = a;
@@ -91,8 +92,9 @@ static void task_job(void *arg, uint32_t i)
 	struct range *t = &((struct range *)b->task)[i];
 	struct grower g = { .b = b, .kids = b->twigs_a_ref * t->first };
 
+	b->part[i + 1] = (struct part){ .seat = b->seat + (size_t)b->twigs_a_ref * t->first / 2 };
 	grow(&g, t);
-	b->made[i] = g.made;
+	bvh8_seat(b, i, t->twig);
 }
 
 static int cut_pieces(struct level *l)
@@ -219,6 +221,13 @@ static int next_level(struct level *l, struct range **next)
 	return ALD_OK;
 }
 
+static float whole_of(const struct range *root)
+{
+	float area = hull_area(root->box);
+
+	return area > 0 ? area : 1;
+}
+
 static int split_level(struct level *l, uint32_t depth)
 {
 	const ald_host *h = l->b->host;
@@ -232,6 +241,7 @@ static int split_level(struct level *l, uint32_t depth)
 		range_clear(&l->range[0]);
 		for (uint32_t i = 0; i < l->pieces; i++)
 			range_join(&l->range[0], &l->piece[i].side[0]);
+		l->b->whole = whole_of(&l->range[0]);
 	}
 	if (!status)
 		status = next_level(l, &next);
@@ -348,7 +358,7 @@ static int sah(struct builder *b)
 
 	if (root.count <= SMALL || b->corner) {
 		measure(b->ref, b->refs, &root);
-		b->whole = hull_area(root.box);
+		b->whole = whole_of(&root);
 	}
 	if (root.count > SMALL)
 		status = b->corner ? cut_large(b, &root) : split_large(b, &root);

@@ -22,7 +22,7 @@
 #define ROOM 3.0 /* spatial splits, to what was counted */
 #define THIN 0x1p-12 /* width to length */
 
-struct part {
+struct polygon {
 	double v[12][3];
 	uint32_t n;
 };
@@ -34,7 +34,7 @@ struct chopper {
 	uint32_t *count; /* references of each chunk */
 };
 
-static void part_box(const struct part *p, double lo[3], double hi[3])
+static void part_box(const struct polygon *p, double lo[3], double hi[3])
 {
 	for (unsigned k = 0; k < 3; k++) {
 		lo[k] = hi[k] = p->v[0][k];
@@ -53,7 +53,7 @@ static double area(const double lo[3], const double hi[3])
 }
 
 /* Sutherland and Hodgman, both sides at once; what lies in the plane belongs to both. */
-static void cut(const struct part *p, unsigned axis, double plane, struct part side[2])
+static void cut(const struct polygon *p, unsigned axis, double plane, struct polygon side[2])
 {
 	side[0].n = side[1].n = 0;
 	for (uint32_t i = 0; i < p->n; i++) {
@@ -86,10 +86,10 @@ static double plane_of(double lo, double hi)
 }
 
 /* Returns how many references the part makes. */
-static uint32_t chop(const struct chopper *c, const struct part *p, unsigned level)
+static uint32_t chop(const struct chopper *c, const struct polygon *p, unsigned level)
 {
 	double lo[3], hi[3], l[2][3], h[2][3], whole;
-	struct part side[2];
+	struct polygon side[2];
 	unsigned axis = 0;
 
 	part_box(p, lo, hi);
@@ -108,7 +108,7 @@ static uint32_t chop(const struct chopper *c, const struct part *p, unsigned lev
 	return chop(c, &side[0], level + 1) + chop(c, &side[1], level + 1);
 }
 
-static int is_thin(const struct part *p)
+static int is_thin(const struct polygon *p)
 {
 	double e[3], g[3], n2 = 0, size = 0;
 
@@ -125,7 +125,7 @@ static int is_thin(const struct part *p)
 	return !(n2 > THIN * THIN * size * size);
 }
 
-static void part_of(const struct builder *b, uint32_t id, struct part *part)
+static void polygon_of(const struct builder *b, uint32_t id, struct polygon *part)
 {
 	const ald_prims *p = b->prims;
 	ald_vec v[3];
@@ -146,12 +146,12 @@ static void chop_job(void *arg, uint32_t job)
 	for (uint32_t i = job * CHUNK; i < end; i++) {
 		const struct ref *r = &c->b->ref[i];
 		float x = r->lo[0] + r->minus_hi[0], y = r->lo[1] + r->minus_hi[1], z = r->lo[2] + r->minus_hi[2];
-		struct part whole;
+		struct polygon whole;
 
 		n++;
 		if (x * y + y * z + z * x <= c->large || r->id >= c->b->prims->tri_count)
 			continue;
-		part_of(c->b, r->id, &whole);
+		polygon_of(c->b, r->id, &whole);
 		if (!is_thin(&whole))
 			n += chop(c, &whole, 0) - 1;
 	}
@@ -166,12 +166,12 @@ static void corner_job(void *arg, uint32_t job)
 
 	for (uint32_t i = job * CHUNK; i < end; i++) {
 		struct ref *r = &b->ref[i];
-		struct part whole;
+		struct polygon whole;
 
 		r->zero = 1;
 		if (r->id >= b->prims->tri_count)
 			continue;
-		part_of(b, r->id, &whole);
+		polygon_of(b, r->id, &whole);
 		for (unsigned j = 0; j < 12; j++)
 			b->corner[12 * (size_t)r->id + j] = j % 4 < 3 ? (float)whole.v[j / 4][j % 4] : 0;
 		if (!is_thin(&whole))

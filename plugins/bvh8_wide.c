@@ -7,24 +7,9 @@
  */
 #include "bvh8.h"
 
-struct seat { /* of a node: the twig it is made of, and where its first of each kind of child is */
-	uint32_t twig, node, block, other;
-};
-
-struct part { /* of the tree: what one job makes, numbered from 0 each */
-	struct seat *seat;
-	uint32_t seats, blocks, others, leaves, depth;
-	uint32_t node, block, other; /* where those are in the whole */
-	uint64_t refs;
-	double cost;
-};
-
 struct widener {
 	struct builder *b;
-	struct part *part; /* the top, and then the tasks */
 	uint32_t *owner; /* of the top's twigs: the part below, or 0 */
-	struct seat *seat;
-	float whole; /* area of the scene's box */
 };
 
 static float area(const struct twig *t)
@@ -37,7 +22,7 @@ static float area(const struct twig *t)
 /* Of a twig at the top that is the root of a task's tree: which; else 0. */
 static uint32_t part_below(const struct widener *w, const struct part *p, uint32_t twig)
 {
-	return p == w->part ? w->owner[twig - w->b->root] : 0;
+	return p == w->b->part ? w->owner[twig - w->b->root] : 0;
 }
 
 /* The largest are opened until there are eight; then in the order of size. */
@@ -82,7 +67,7 @@ static uint32_t open_twig(const struct widener *w, const struct part *p, uint32_
 
 static int holds_others(const struct builder *b, const struct twig *t)
 {
-	return b->ref[t->kid].id >= b->prims->tri_count;
+	return b->prims->tri_count < b->prims->count && b->ref[t->kid].id >= b->prims->tri_count;
 }
 
 static uint32_t blocks_of(const struct twig *t)
@@ -115,21 +100,21 @@ static void seat_children(const struct widener *w, struct part *p, uint32_t i, u
 	s->node = p->seats;
 	s->block = p->blocks;
 	s->other = p->others;
-	p->cost += (double)(area(&b->twig[s->twig]) / w->whole);
+	p->cost += (double)(area(&b->twig[s->twig]) / w->b->whole);
 	for (uint32_t k = 0; k < n; k++) {
 		const struct twig *t = &b->twig[kid[k]];
 		uint32_t below = part_below(w, p, kid[k]);
 
 		if (!t->count && below) {
-			if (depth + w->part[below].depth > p->depth)
-				p->depth = depth + w->part[below].depth;
+			if (depth + w->b->part[below].depth > p->depth)
+				p->depth = depth + w->b->part[below].depth;
 		} else if (!t->count) {
 			p->seat[p->seats++].twig = kid[k];
 		} else {
 			place_leaf(b, t, &p->blocks, &p->others);
 			p->leaves++;
 			p->refs += t->count;
-			p->cost += (double)(area(t) / w->whole) * (holds_others(b, t) ? t->count : blocks_of(t));
+			p->cost += (double)(area(t) / w->b->whole) * (holds_others(b, t) ? t->count : blocks_of(t));
 		}
 	}
 }
@@ -160,13 +145,13 @@ static void seat_part(const struct widener *w, struct part *p, uint32_t root)
 	}
 }
 
-static void seat_job(void *arg, uint32_t i)
+/* While its twigs are at hand. */
+void bvh8_seat(struct builder *b, uint32_t task, uint32_t root)
 {
-	const struct widener *w = arg;
-	uint32_t root = bvh8_task_twig(w->b, i);
+	const struct widener w = { .b = b };
 
-	if (!w->b->twig[root].count)
-		seat_part(w, &w->part[i + 1], root);
+	if (!b->twig[root].count)
+		seat_part(&w, &b->part[task + 1], root);
 }
 
 static void fill_block(const struct builder *b, struct block *n, const struct ref *ref, uint32_t count)
@@ -220,20 +205,24 @@ static void fill_leaf(const struct builder *b, uint32_t ref, const struct twig *
 			   t->count - i < SEATS ? t->count - i : SEATS);
 }
 
-static void fill_node(const struct widener *w, const struct part *p, uint32_t i)
+struct opened { /* a node to be filled */
+	uint32_t kid[WIDTH], n;
+};
+
+static void fill_node(const struct widener *w, const struct part *p, uint32_t i, const struct opened *o)
 {
 	struct builder *b = w->b;
 	struct seat s = p->seat[i];
 	struct node *node = &b->a->node[p->node + i];
-	uint32_t kid[WIDTH], n = open_twig(w, p, s.twig, kid);
+	uint32_t n = o->n;
 
 	s.node += p->node;
 	s.block += p->block;
 	s.other += p->other;
 	memset(node, 0, sizeof(*node));
 	for (unsigned k = 0; k < WIDTH; k++) {
-		const struct twig *t = &b->twig[kid[k < n ? k : 0]];
-		uint32_t below = part_below(w, p, kid[k < n ? k : 0]);
+		const struct twig *t = &b->twig[o->kid[k < n ? k : 0]];
+		uint32_t below = part_below(w, p, o->kid[k < n ? k : 0]);
 
 		for (unsigned j = 0; j < 3; j++) {
 			node->plane[2 * j][k] = k < n ? t->lo[j] : INFINITY;
@@ -246,18 +235,59 @@ static void fill_node(const struct widener *w, const struct part *p, uint32_t i)
 			node->child[k] = place_leaf(b, t, &s.block, &s.other);
 			fill_leaf(b, node->child[k], t);
 		} else {
-			node->child[k] = below ? w->part[below].node : s.node++;
+			node->child[k] = below ? w->b->part[below].node : s.node++;
 		}
 	}
 }
 
+/* What the triangles below a node will be read from: step 0, their numbers; 1, the corners' numbers; 2, the
+ * corners. */
+static void fetch_leaves(const struct builder *b, const struct opened *o, unsigned step)
+{
+	const ald_prims *p = b->prims;
+	size_t each = p->vertex_double ? 24 : 12;
+
+	for (uint32_t k = 0; k < o->n; k++) {
+		const struct twig *t = &b->twig[o->kid[k]];
+
+		for (uint32_t i = 0; i < t->count; i++) {
+			const struct ref *r = &b->ref[t->kid + i];
+
+			if (!step) {
+				__builtin_prefetch(r);
+			} else if (r->id < p->tri_count) {
+				const uint32_t *v = p->index + 3 * (size_t)r->id;
+
+				if (step == 1)
+					__builtin_prefetch(v);
+				for (unsigned j = 0; j < 3 && step == 2; j++)
+					__builtin_prefetch((const char *)p->vertex + each * v[j]);
+			}
+		}
+	}
+}
+
+/* Nodes stand in a row of four, each a step nearer to being filled. */
 static void fill_job(void *arg, uint32_t job)
 {
 	const struct widener *w = arg;
-	const struct part *p = &w->part[job];
+	const struct part *p = &w->b->part[job];
+	struct opened row[4];
 
-	for (uint32_t i = 0; i < p->seats; i++)
-		fill_node(w, p, i);
+	for (uint32_t i = 0; i < p->seats + 3 && p->seats; i++) {
+		struct opened *o = &row[i % 4];
+
+		if (i < p->seats) {
+			o->n = open_twig(w, p, p->seat[i].twig, o->kid);
+			fetch_leaves(w->b, o, 0);
+		}
+		if (i >= 1 && i - 1 < p->seats)
+			fetch_leaves(w->b, &row[(i - 1) % 4], 1);
+		if (i >= 2 && i - 2 < p->seats)
+			fetch_leaves(w->b, &row[(i - 2) % 4], 2);
+		if (i >= 3)
+			fill_node(w, p, i - 3, &row[(i - 3) % 4]);
+	}
 }
 
 static void *keep(struct builder *b, uint64_t n, size_t each, const char *what)
@@ -283,31 +313,20 @@ static int widen_leaf(struct builder *b, const struct twig *t)
 	return ALD_OK;
 }
 
-static int seat_all(struct widener *w)
+static int seat_top(struct widener *w)
 {
 	struct builder *b = w->b;
 	const ald_host *h = b->host;
-	uint64_t room = b->top;
-	uint32_t twigs = 2 * b->top + 1, at = b->top;
+	uint32_t twigs = 2 * b->top + 1;
 
-	for (uint32_t i = 0; i < b->tasks; i++)
-		room += b->made[i];
-	w->part = bvh8_take(h, b->tasks + 1, sizeof(*w->part), "bvh8: building");
 	w->owner = bvh8_take(h, twigs, sizeof(*w->owner), "bvh8: building");
-	w->seat = bvh8_take(h, room, sizeof(*w->seat), "bvh8: building");
-	if (!w->part || !w->owner || !w->seat)
+	if (!w->owner)
 		return ALD_NO_MEMORY;
 	memset(w->owner, 0, twigs * sizeof(*w->owner));
-	for (uint32_t i = 0; i <= b->tasks; i++)
-		w->part[i] = (struct part){ .seat = w->seat };
-	for (uint32_t i = 0; i < b->tasks; i++) {
+	for (uint32_t i = 0; i < b->tasks; i++)
 		w->owner[bvh8_task_twig(b, i) - b->root] = i + 1;
-		w->part[i + 1].seat += at;
-		at += b->made[i];
-	}
-	h->parallel(h->ctx, b->tasks, seat_job, w);
 	if (b->top)
-		seat_part(w, w->part, b->root);
+		seat_part(w, b->part, b->root);
 	return ALD_OK;
 }
 
@@ -318,7 +337,7 @@ static int join_parts(const struct widener *w)
 	uint64_t nodes = 0, blocks = 0, others = 0;
 
 	for (uint32_t i = 0; i <= w->b->tasks; i++) {
-		struct part *p = &w->part[i];
+		struct part *p = &w->b->part[i];
 
 		p->node = (uint32_t)nodes;
 		p->block = (uint32_t)blocks;
@@ -351,8 +370,7 @@ int bvh8_widen(struct builder *b)
 		return ALD_OK;
 	if (root->count)
 		return widen_leaf(b, root);
-	w.whole = area(root) > 0 ? area(root) : 1;
-	status = seat_all(&w);
+	status = seat_top(&w);
 	if (!status && !join_parts(&w))
 		status = ALD_NO_MEMORY;
 	if (!status) {
@@ -365,8 +383,6 @@ int bvh8_widen(struct builder *b)
 		else
 			status = ALD_NO_MEMORY;
 	}
-	h->free(h->ctx, w.part);
 	h->free(h->ctx, w.owner);
-	h->free(h->ctx, w.seat);
 	return status;
 }

@@ -97,7 +97,7 @@ static void scan_job(void *arg, uint32_t job)
 	ald_box box;
 
 	for (unsigned k = 0; k < 6; k++) {
-		o.side[k] = INFINITY;
+		o.side[k] = DBL_MAX;
 		o.id[k] = first;
 	}
 	for (uint32_t id = first; id < end; id++) {

@@ -195,6 +195,7 @@ static int make_room(struct chopper *c, uint64_t room, uint32_t jobs)
 	h->free(h->ctx, b->ref);
 	b->ref = ref;
 	b->room = (uint32_t)room;
+	b->a->parts = 1;
 	h->parallel(h->ctx, jobs, corner_job, c);
 	return ALD_OK;
 }

@@ -40,7 +40,9 @@ static uint32_t open_twig(const struct widener *w, const struct part *p, uint32_
 		uint32_t best = WIDTH;
 
 		for (uint32_t i = 0; i < n; i++) {
-			if (!b->twig[kid[i]].count && !part_below(w, p, kid[i]) && (best == WIDTH || size[i] > size[best]))
+			if (b->twig[kid[i]].count || part_below(w, p, kid[i]))
+				continue;
+			if (best == WIDTH || size[i] > size[best])
 				best = i;
 		}
 		if (best == WIDTH)

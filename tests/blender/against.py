@@ -19,9 +19,8 @@ First a small picture of count 250. Where light bounces once, as in the add-on's
 0.0003 to 0.0007 (RMSE) from those of 1600 in five files; that 250 is nearer than 0.001 is measured in one file in twenty
 in each run. Then one of the add-on's scene made 100 times
 larger, where POV-Ray's fixed distances, which at an edge can put one pixel of another thing into the picture, are as
-good as nothing. Then two larger pictures, whose difference tells
-the noise of their mean, which is taken from the RMSE (in squares): where lights are small things that glow, no count
-that POV-Ray can finish is enough (gallery's colours: 0.0145). In larger pictures a pixel at an edge counts for less and
+good as nothing. Then the mean of two larger pictures, whose difference tells its noise, which is said and part of what
+is judged. In larger pictures a pixel at an edge counts for less and
 the cache's places lie closer. And they have error_bound 0.03: at 0.1 POV-Ray evens out the dark below things where
 light bounces more than once (gallery's focus: RMSE 0.0045 from ours, 0.0024 with 0.03).
 
@@ -37,7 +36,6 @@ surfaces of ior 1, which it does not count: where it takes minutes for a picture
 of 1.000001, as which such surfaces count. Where light that bounces often takes POV-Ray more than five minutes a
 picture, as in hair, both draw one bounce.
 """
-import math
 import os
 import re
 
@@ -90,12 +88,11 @@ def written(path, text):
     return path
 
 
-def alike(figures, rmse, mean, noise=0.0):
-    """What is worse than allowed of a picture with random numbers in it; noise: POV-Ray's."""
+def alike(figures, rmse, mean):
+    """What is worse than allowed of a picture with random numbers in it."""
     found = figures.complaints(0, mean)
-    left = math.sqrt(max(0.0, figures.rmse ** 2 - noise ** 2))
-    if left > rmse:
-        found.append('RMSE %.6f, at most %g is wanted' % (left, rmse))
+    if figures.rmse > rmse:
+        found.append('RMSE %.6f, at most %g is wanted' % (figures.rmse, rmse))
     return found
 
 
@@ -271,7 +268,7 @@ def bounced(outcome, text, base, check):
         for method, rmse, mean in left:
             made, about = ours.get(method, rmse, size)
             figures = measure.Figures(made, theirs)
-            found = ['%s: %s' % (method, c) for c in alike(figures, rmse, mean, noise)]
+            found = ['%s: %s' % (method, c) for c in alike(figures, rmse, mean)]
             outcome.notes.append('%s: %s, %s' % (method, figures.text(), about))
             complaints += found
             missed += [(method, rmse, mean)] * bool(found)

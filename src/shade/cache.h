@@ -24,11 +24,14 @@ struct cache_record {
 	struct rgb light; /* mean of what comes from the hemisphere around n */
 	vec turn[3], move[3]; /* gradients of its r, g and b: by turning n, by moving p */
 	double radius; /* it is good so far away */
+	double nearest; /* the nearest surface that it knows of */
+	double least; /* its radius at least */
 	uint64_t key; /* what it is sorted by */
 };
 
 struct cache {
 	struct mem_book *book;
+	double slack;
 	double turn2; /* 1 over how much a normal may be turned, as 1 less its cosine */
 	struct buf record, block, slope; /* block: places by cells; slope: light as a function of the place */
 	struct cache_cell *cell; /* a hash table, 1 << bits of them; NULL: empty */

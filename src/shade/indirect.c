@@ -24,7 +24,7 @@
 #define ROULETTE_SLOT 0x600000000u /* the same, for each child */
 #define FOLLOWED 2 /* times its share is the chance that a child is followed */
 #define TRIES 32
-#define LEAST_PIXELS 2 /* a record's radius */
+#define LEAST_PIXELS 0.5 /* a record's radius, without slack; measured in hair: RMSE 0.011 with 2, 0.003 with this */
 #define PI 3.14159265358979323846
 
 vec indirect_hemisphere(vec normal, double u, double v)
@@ -305,7 +305,7 @@ void indirect_record(const struct radiosity *r, const struct indirect *in, struc
 {
 	const struct gather *g = BUF_AT(&t->gather, struct gather, n->first_gather + slot);
 	struct cache_grid grid = cache_grid(in->samples);
-	struct cache_limits limits = { LEAST_PIXELS * g->pixel, in->reach * g->pixel, in->slack };
+	struct cache_limits limits = { LEAST_PIXELS * in->slack * g->pixel, in->reach * g->pixel, in->slack };
 	struct cache_record *record;
 	struct cache_ray *ray;
 	uint32_t i;

@@ -128,8 +128,8 @@ static void answers_are_near(void **state)
 	struct mem_book book;
 	struct cache c;
 	struct cache_record r[2] = {
-		{ .p = { 3, 0, 0 }, .n = { 0, 0, 1 }, .light = { 2, 2, 2 }, .radius = 1, .key = 2 },
-		{ .p = { 1, 0, 0 }, .n = { 0, 0, 1 }, .light = { 1, 1, 1 }, .radius = 1.5, .key = 1 },
+		{ .p = { 3, 0, 0 }, .n = { 0, 0, 1 }, .light = { 2, 2, 2 }, .radius = 1, .key = 2, .nearest = 9 },
+		{ .p = { 1, 0, 0 }, .n = { 0, 0, 1 }, .light = { 1, 1, 1 }, .radius = 1.5, .key = 1, .nearest = 9 },
 	};
 	const vec up = { 0, 0, 1 }, down = { 0, 0, -1 };
 	struct rgb light;
@@ -147,6 +147,37 @@ static void answers_are_near(void **state)
 	assert_false(cache_find(&c, vec_make(1, 0, 0), down, CACHE_REACH, &light));
 	assert_true(cache_find(&c, vec_make(2.25, 0, 0), up, 1, &light));
 	CLOSE(light.g, (1.0 / 6 * 1 + 0.25 * 2) / (1.0 / 6 + 0.25), 1e-12);
+	cache_release(&c);
+	assert_int_equal(book.now, 0);
+}
+
+/* What a record knows to be near, all know that would answer for its place. */
+static void neighbours_are_warned(void **state)
+{
+	struct mem_book book;
+	struct cache c;
+	struct cache_record r[4] = {
+		{ .p = { 0, 0, 0 }, .n = { 0, 0, 1 }, .radius = 2, .nearest = 4, .key = 1 },
+		{ .p = { 1, 0, 0 }, .n = { 0, 0, 1 }, .radius = 0.1, .nearest = 0.2, .key = 2 },
+		{ .p = { 3, 0, 0 }, .n = { 0, 0, 1 }, .radius = 0.1, .nearest = 0.2, .key = 3 },
+		{ .p = { 0, 0, 0 }, .n = { 1, 0, 0 }, .radius = 2, .nearest = 4, .key = 4 },
+	};
+	const vec up = { 0, 0, 1 };
+	struct rgb light;
+
+	(void)state;
+	r[0].least = 0.8;
+	r[0].move[0] = vec_make(4, 0, 0);
+	mem_book_init(&book, 0);
+	cache_init(&c, 1, &book);
+	assert_true(cache_add(&c, r, 4));
+	CLOSE(BUF_AT(&c.record, struct cache_record, 0)->nearest, 1.2, 1e-12);
+	CLOSE(BUF_AT(&c.record, struct cache_record, 0)->radius, 0.8, 1e-12); /* its least */
+	CLOSE(BUF_AT(&c.record, struct cache_record, 0)->move[0].x, 4 * 0.6 / 0.8, 1e-12);
+	CLOSE(BUF_AT(&c.record, struct cache_record, 1)->radius, 0.1, 1e-12);
+	CLOSE(BUF_AT(&c.record, struct cache_record, 3)->radius, 2, 1e-12); /* turned away */
+	assert_true(cache_find(&c, vec_make(-0.7, 0, 0), up, 1, &light));
+	assert_false(cache_find(&c, vec_make(-1.7, 0, 0), up, 1, &light));
 	cache_release(&c);
 	assert_int_equal(book.now, 0);
 }
@@ -200,6 +231,7 @@ static void no_record_is_lost(void **state)
 					      .turn[0] = { chance(k + 7), chance(k + 8), 0 },
 					      .move[0] = { 3 * chance(k + 9), 0, chance(k + 10) },
 					      .radius = 0.005 * exp(4 * (1 + chance(k + 11)) / 2),
+					      .nearest = 9,
 					      .key = i };
 	}
 	mem_book_init(&book, 0);
@@ -233,6 +265,7 @@ int main(void)
 		cmocka_unit_test(frames_are_frames),	    cmocka_unit_test(directions_have_the_cosine),
 		cmocka_unit_test(gradients_are_the_slopes), cmocka_unit_test(turning_is_foreseen),
 		cmocka_unit_test(answers_are_near),	    cmocka_unit_test(no_record_is_lost),
+		cmocka_unit_test(neighbours_are_warned),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

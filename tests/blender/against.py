@@ -196,7 +196,8 @@ def once(text):
 
 def best(text, base, size, count, settings, factor=1):
     return renderers.povray(written(os.path.join(base, 'high.pov'), high(text, count, settings)),
-                            os.path.join(base, 'high-%s-%d-%d.exr' % (str(count).replace(', ', '-'), size[0], factor)), size,
+                            os.path.join(base, 'high-%s-%d-%d.exr' % (
+                                str(count).replace(', ', '-'), size[0], factor)), size,
                             factor=factor, limit=PATIENCE if IOR_ONE.search(text) or not once(text) else 1800)
 
 

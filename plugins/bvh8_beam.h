@@ -51,11 +51,18 @@ V void beam_cut(struct beam *b, float t)
 	b->zfar = t * b->depth + b->zerror;
 }
 
+/* Nothing beyond a t counts. */
+V float limit_of(double t, double shift, double tscale)
+{
+	double x = (t - shift) * tscale;
+
+	return (float)(x < 8 ? (x > -8 ? x : -8) : 8) * (1 + 0x1p-20f) + 0x1p-30f;
+}
+
 /* hit->t is new. */
 V void beam_limit(struct beam *b)
 {
-	double x = (b->hit->t - b->shift) * b->tscale;
-	float t = (float)(x < 8 ? (x > -8 ? x : -8) : 8) * (1 + 0x1p-20f) + 0x1p-30f;
+	float t = limit_of(b->hit->t, b->shift, b->tscale);
 
 	if (t < b->tfar)
 		beam_cut(b, t);
@@ -203,9 +210,15 @@ V uint32_t beam_sure(const struct beam *b, const struct meeting *m, f4 *low, f4 
 
 /* In exact order the host rounds the winner's t. So where floats alone tell that a triangle is hit, at a t that
  * counts and before all else, it need not be asked about: their bounds on t do, rounded outward. */
+V ald_hit certain_hit(float least, float most, double tscale, double shift, uint32_t id)
+{
+	double back = 1 / tscale, low = (double)least * back + shift, high = (double)most * back + shift;
+
+	return (ald_hit){ .t = high + 4 * ALD_U * fabs(high), .u = low - 4 * ALD_U * fabs(low), .prim = id };
+}
+
 V int beam_certain(struct beam *b)
 {
-	double low, high, back = 1 / b->tscale;
 	uint32_t best = 0;
 
 	if (b->hit->prim != ALD_NONE || b->asked || !b->pending)
@@ -218,10 +231,7 @@ V int beam_certain(struct beam *b)
 		if (b->id[i] != b->id[best] && !(b->low[i] > b->high[best]))
 			return 0;
 	}
-	low = (double)b->low[best] * back + b->shift;
-	high = (double)b->high[best] * back + b->shift;
-	*b->hit = (ald_hit){ .t = high + 4 * ALD_U * fabs(high), .u = low - 4 * ALD_U * fabs(low),
-			     .prim = b->id[best] };
+	*b->hit = certain_hit(b->low[best], b->high[best], b->tscale, b->shift, b->id[best]);
 	return 1;
 }
 
@@ -298,7 +308,7 @@ V void beam_meet(const ald_accel *a, const struct batch *s, struct asked *q, str
 
 /* Where the line meets a triangle's plane, as the ray has it: the beam's own z goes with where the ray is
  * entered from, and one that goes on behind a hit would meet that again. */
-V double beam_plane(const ald_accel *a, const struct beam *b, const struct block *n, unsigned k)
+V double plane_t(const ald_accel *a, const ald_ray *r, const struct block *n, unsigned k)
 {
 	double e[3], g[3], up = 0, across = 0;
 
@@ -310,13 +320,26 @@ V double beam_plane(const ald_accel *a, const struct beam *b, const struct block
 		unsigned x = i == 2 ? 0 : i + 1, y = x == 2 ? 0 : x + 1;
 		double normal = e[x] * g[y] - e[y] * g[x];
 
-		up += normal * ((double)n->v[0][i][k] - (ald_get(&b->ray->org, i) - a->centre[i]) * a->scale);
-		across += normal * ald_get(&b->ray->dir, i);
+		up += normal * ((double)n->v[0][i][k] - (ald_get(&r->org, i) - a->centre[i]) * a->scale);
+		across += normal * ald_get(&r->dir, i);
 	}
 	return up / (across * a->scale);
 }
 
-/* For --precision=fast: what the floats say. With their bounds at 0, a lane that may be hit is. */
+/* For --precision=fast: triangle k of a block, by the weights of its second and third corner and all three. */
+V int fast_hit(const ald_accel *a, const ald_ray *r, const struct block *n, unsigned k, float u, float v, float sum,
+	       ald_hit *h)
+{
+	double t = plane_t(a, r, n, k);
+
+	if (n->id[k] == ALD_NONE || !(fabsf(sum) > FLT_MIN) || !(fabs(t) <= DBL_MAX) ||
+	    !ald_counts(r, t, n->id[k], h) || !ald_sees(a->prims, r, n->id[k]))
+		return 0;
+	*h = (ald_hit){ .t = t, .u = (double)(u / sum), .v = (double)(v / sum), .prim = n->id[k] };
+	return 1;
+}
+
+/* What the floats say. With their bounds at 0, a lane that may be hit is. */
 V void beam_meet_fast(const ald_accel *a, struct beam *b, const struct block *n, struct meeting *m, int any)
 {
 	float w[3][SEATS] __attribute__((aligned(16)));
@@ -326,14 +349,9 @@ V void beam_meet_fast(const ald_accel *a, struct beam *b, const struct block *n,
 	f4_store(w[2], f4_add(f4_add(m->a, m->b), m->c));
 	for (; m->maybe; m->maybe &= m->maybe - 1) {
 		unsigned k = (unsigned)__builtin_ctz(m->maybe);
-		double t = beam_plane(a, b, n, k);
-		ald_hit *h = b->hit;
 
-		if (n->id[k] == ALD_NONE || !(fabsf(w[2][k]) > FLT_MIN) || !(fabs(t) <= DBL_MAX) ||
-		    !ald_counts(b->ray, t, n->id[k], h) || !ald_sees(a->prims, b->ray, n->id[k]))
+		if (!fast_hit(a, b->ray, n, k, w[0][k], w[1][k], w[2][k], b->hit))
 			continue;
-		*h = (ald_hit){ .t = t, .u = (double)(w[0][k] / w[2][k]), .v = (double)(w[1][k] / w[2][k]),
-				.prim = n->id[k] };
 		beam_limit(b);
 		b->found = 1;
 		b->top = any ? 1 : b->top;
@@ -384,11 +402,16 @@ V void beam_step(const ald_accel *a, const struct batch *s, struct asked *asked,
 		beam_leaf(a, s, asked, b, any);
 }
 
-/* To its end. */
-V void beam_walk(const ald_accel *a, const struct batch *s, struct asked *asked, ald_query *q, struct beam *b, int any)
+V void beam_on(const ald_accel *a, const struct batch *s, struct asked *asked, ald_query *q, struct beam *b, int any)
 {
 	for (beam_pop(b); b->ref != DONE; beam_pop(b))
 		beam_step(a, s, asked, q, b, any);
+}
+
+/* To its end. */
+V void beam_walk(const ald_accel *a, const struct batch *s, struct asked *asked, ald_query *q, struct beam *b, int any)
+{
+	beam_on(a, s, asked, q, b, any);
 	beam_end(a, s, asked, b, any);
 }
 

@@ -20,7 +20,7 @@
 struct pack {
 	struct lot *lot;
 	uint32_t from; /* of the batch: the lot's first */
-	uint32_t live, found; /* lanes */
+	uint32_t live, found, asked; /* lanes; asked: the doubles were, before the end */
 	uint32_t near[3], far[3]; /* which planes of a node */
 	uint32_t axis[3];
 	f8 edge_near[3], edge_far[3], slow[3], fast[3]; /* the hull: origins, inverse directions */
@@ -29,7 +29,7 @@ struct pack {
 	float depth[LOT], back[LOT], zfar[LOT], sure_lo[LOT], sure_hi[LOT], oz[LOT];
 	uint32_t boxes, entered; /* how many were tested, and by how many rays they were entered */
 	uint32_t pending;
-	float low[PACK_PENDING + LOT];
+	float low[PACK_PENDING + LOT], high[PACK_PENDING + LOT]; /* see beam; high in exact order only */
 	uint32_t lane[PACK_PENDING + LOT], id[PACK_PENDING + LOT];
 	uint32_t stack[STACK_MAX + WIDTH];
 	struct beam beam;
@@ -57,7 +57,7 @@ V void pack_begin(const ald_accel *a, struct pack *p, uint32_t live)
 	f16 depth = f16_load(l->depth), back, zerror;
 
 	p->live = live;
-	p->found = p->pending = 0;
+	p->found = p->asked = p->pending = 0;
 	p->axis[2] = kz;
 	p->axis[0] = kz == 2 ? 0 : kz + 1;
 	p->axis[1] = p->axis[0] == 2 ? 0 : p->axis[0] + 1;
@@ -130,8 +130,43 @@ V void pack_settle(const ald_accel *a, const struct batch *s, struct asked *q, s
 		q->ray[q->n] = p->from + lane;
 		q->id[q->n] = p->id[i];
 		q->n += !(p->low[i] > p->lot->tfar[lane]) & !(p->found >> lane & 1);
+		p->asked |= 1u << lane;
 	}
 	p->pending = 0;
+}
+
+/* beam_certain() for all: their triangles are pending no more. */
+V void pack_certain(const struct batch *s, struct pack *p)
+{
+	const struct lot *l = p->lot;
+	uint32_t best[LOT], some = 0, sure;
+
+	for (uint32_t i = 0; i < p->pending; i++) {
+		uint32_t lane = p->lane[i];
+
+		if (!(some >> lane & 1) || p->low[i] < p->low[best[lane]])
+			best[lane] = i;
+		some |= 1u << lane;
+	}
+	sure = some & ~p->asked;
+	for (uint32_t i = 0; i < p->pending; i++) {
+		uint32_t lane = p->lane[i], b = best[lane];
+
+		if (p->id[i] != p->id[b] && !(p->low[i] > p->high[b]))
+			sure &= ~(1u << lane);
+	}
+	for (uint32_t bits = sure; bits; bits &= bits - 1) {
+		unsigned lane = (unsigned)__builtin_ctz(bits);
+		uint32_t b = best[lane];
+		ald_hit *hit = &s->hit[p->from + lane];
+
+		if (hit->prim == ALD_NONE && p->high[b] < INFINITY)
+			*hit = certain_hit(p->low[b], p->high[b], l->tscale[lane], l->shift[lane], p->id[b]);
+		else
+			sure &= ~(1u << lane);
+	}
+	for (uint32_t i = 0; i < p->pending; i++)
+		p->low[i] = sure >> p->lane[i] & 1 ? INFINITY : p->low[i];
 }
 
 struct corner {
@@ -156,6 +191,34 @@ V f16 larger(struct corner c)
 	return f16_max(f16_size(c.x), f16_size(c.y));
 }
 
+/* As beam_meet_fast(). */
+V void pack_meet_fast(const ald_accel *a, const struct batch *s, struct pack *p, const struct block *n, unsigned k,
+		      uint32_t lanes, f16 u, f16 v, f16 sum, int any)
+{
+	float w[3][LOT] __attribute__((aligned(64)));
+	struct lot *l = p->lot;
+
+	f16_store(w[0], u);
+	f16_store(w[1], v);
+	f16_store(w[2], sum);
+	for (; lanes; lanes &= lanes - 1) {
+		unsigned i = (unsigned)__builtin_ctz(lanes);
+		const ald_ray *r = &s->ray[p->from + i];
+		ald_hit own = { .t = r->tmax, .prim = ALD_NONE }, *h = any ? &own : &s->hit[p->from + i];
+		float t;
+
+		if (!fast_hit(a, r, n, k, w[0][i], w[1][i], w[2][i], h))
+			continue;
+		t = limit_of(h->t, l->shift[i], l->tscale[i]);
+		if (t < l->tfar[i]) {
+			l->tfar[i] = t;
+			p->zfar[i] = t * l->depth[i];
+		}
+		p->found |= (uint32_t)any << i;
+	}
+	p->live &= ~p->found;
+}
+
 /* As beam_block(), beam_sure() and beam_meet(). */
 V void pack_triangle(const ald_accel *a, const struct batch *s, struct asked *q, struct pack *p,
 		     const struct block *n, unsigned k, uint32_t lanes, int any)
@@ -166,12 +229,16 @@ V void pack_triangle(const ald_accel *a, const struct batch *s, struct asked *q,
 	f16 w0 = f16_mul_sub(c2.x, c1.y, f16_mul(c2.y, c1.x)), w1 = f16_mul_sub(c0.x, c2.y, f16_mul(c0.y, c2.x));
 	f16 w2 = f16_mul_sub(c1.x, c0.y, f16_mul(c1.y, c0.x)), least = f16_min(w0, f16_min(w1, w2));
 	f16 most = f16_max(w0, f16_max(w1, w2)), zmin = f16_min(c0.z, f16_min(c1.z, c2.z)), zmax, z, sum, off, size;
-	f16 low, high, unsure, back;
+	f16 low, high, unsure, back, t;
 	float slack = n->slack[k] * p->grow;
 	uint32_t maybe, sure;
 
 	maybe = f16_le(f16_all(-slack), least) | f16_le(most, f16_all(slack));
 	maybe &= f16_le(zmin, f16_load(p->zfar)) & lanes;
+	if (a->fast) {
+		pack_meet_fast(a, s, p, n, k, maybe, w1, w2, f16_add(f16_add(w0, w1), w2), any);
+		return;
+	}
 	for (uint32_t bits = maybe; bits; bits &= bits - 1) {
 		unsigned i = (unsigned)__builtin_ctz(bits);
 
@@ -196,17 +263,20 @@ V void pack_triangle(const ald_accel *a, const struct batch *s, struct asked *q,
 	back = f16_load(p->back);
 	low = f16_mul(f16_max(f16_pick(sure, low, unsure), unsure), back);
 	low = f16_sub_mul(low, f16_size(low), f16_all(0x1p-20f));
+	t = f16_mul(high, f16_mul(back, f16_all(1 + 0x1p-20f)));
 	if (any) {
 		p->found |= sure;
 		p->live &= ~sure;
 		maybe &= ~sure;
 	} else {
-		f16 tfar = f16_load(l->tfar), t = f16_mul(high, f16_mul(back, f16_all(1 + 0x1p-20f)));
+		f16 tfar = f16_load(l->tfar);
 
 		tfar = f16_min(f16_pick(sure, t, tfar), tfar);
 		f16_store(l->tfar, tfar);
 		f16_store(p->zfar, f16_mul_add(tfar, f16_load(l->depth), f16_all(p->zerror)));
 	}
+	if (a->frame.exact && !any)
+		f16_pack(p->high + p->pending, p->lane + p->pending, f16_pick(sure, t, f16_all(INFINITY)), maybe);
 	f16_pack(p->low + p->pending, p->lane + p->pending, low, maybe);
 	for (unsigned i = 0; i < LOT; i++)
 		p->id[p->pending + i] = n->id[k];
@@ -234,6 +304,22 @@ V void pack_others(const ald_accel *a, const struct batch *s, ald_query *q, stru
 	p->live &= ~p->found;
 }
 
+/* What is pending of a ray that went alone. */
+V void pack_take(const ald_accel *a, const struct batch *s, struct asked *q, struct pack *p, unsigned lane)
+{
+	const struct beam *b = &p->beam;
+
+	p->asked |= b->asked << lane;
+	for (uint32_t i = 0; i < b->pending; i++, p->pending++) {
+		p->low[p->pending] = b->low[i];
+		p->high[p->pending] = b->high[i];
+		p->id[p->pending] = b->id[i];
+		p->lane[p->pending] = lane;
+	}
+	if (p->pending > PACK_PENDING)
+		pack_settle(a, s, q, p);
+}
+
 /* On alone, from here. */
 V void pack_alone(const ald_accel *a, const struct batch *s, struct asked *asked, ald_query *q, struct pack *p,
 		  uint32_t ref, uint32_t lanes, int any)
@@ -245,7 +331,11 @@ V void pack_alone(const ald_accel *a, const struct batch *s, struct asked *asked
 
 		beam_begin(a, b, p->lot, lane, s, p->from + lane);
 		b->below[1] = ref;
-		beam_walk(a, s, asked, q, b, any);
+		beam_on(a, s, asked, q, b, any);
+		if (a->frame.exact && !any)
+			pack_take(a, s, asked, p, lane);
+		else
+			beam_end(a, s, asked, b, any);
 		p->lot->tfar[lane] = b->tfar;
 		p->zfar[lane] = b->zfar;
 		p->found |= b->found << lane;
@@ -298,6 +388,8 @@ V void pack_walk(const ald_accel *a, const struct batch *s, struct asked *asked,
 	}
 	for (uint32_t found = p->found; any && found; found &= found - 1)
 		s->hidden[p->from + (uint32_t)__builtin_ctz(found)] = 1;
+	if (a->frame.exact && !any)
+		pack_certain(s, p);
 	pack_settle(a, s, asked, p);
 }
 #endif

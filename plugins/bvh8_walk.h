@@ -271,7 +271,7 @@ static __attribute__((noinline)) void serve_many(const ald_accel *a, ald_query *
 	c.size[0] = sizeof(*a->node);
 	c.size[1] = sizeof(*a->block);
 	memset(c.n, 0, sizeof(c.n));
-	if (hints & ALD_COHERENT && !a->frame.exact && !a->fast)
+	if (hints & ALD_COHERENT)
 		serve_packets(a, &c.source, any);
 	crew_work(a, &c, any);
 	ask(a, b, &c.source.asked);

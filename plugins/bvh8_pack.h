@@ -18,6 +18,8 @@
 #define PACK_FEW 1u /* rays that go on alone */
 
 struct pack {
+	/* Loaded and stored whole, so these come first, on the boundaries of the whole. */
+	float back[LOT], zfar[LOT], sure_lo[LOT], sure_hi[LOT], oz[LOT];
 	struct lot *lot;
 	uint32_t from; /* of the batch: the lot's first */
 	uint32_t live, found, asked; /* lanes; asked: the doubles were, before the end */
@@ -26,7 +28,6 @@ struct pack {
 	f8 edge_near[3], edge_far[3], slow[3], fast[3]; /* the hull: origins, inverse directions */
 	float reach; /* tfar of the farthest */
 	float side, grow, zerror, extent; /* extent: see beam's reach */
-	float depth[LOT], back[LOT], zfar[LOT], sure_lo[LOT], sure_hi[LOT], oz[LOT];
 	uint32_t boxes, entered; /* how many were tested, and by how many rays they were entered */
 	uint32_t pending;
 	float low[PACK_PENDING + LOT], high[PACK_PENDING + LOT]; /* see beam; high in exact order only */

@@ -77,7 +77,8 @@ fi
 # shellcheck disable=SC2086
 if [ "$(uname -m)" = x86_64 ] && $CC -shared -fPIC -O1 -frounding-math -o "$tap_dir/upset.so" "$here/upset.c" -lm &&
 	mkdir "$tap_dir/plugin" && $CC -std=gnu17 -shared -fPIC -O3 -ffp-contract=off -fvisibility=hidden -DUPSET_PLUGIN \
-		-I"$ALIDADE_SRC/include" -I"$ALIDADE_SRC/plugins" -o "$tap_dir/plugin/none.so" "$here/upset.c" -lm; then
+		-I"$ALIDADE_SRC/include" -I"$ALIDADE_SRC/plugins" -o "$tap_dir/plugin/none.so" "$here/upset.c" \
+		"$ALIDADE_SRC"/plugins/flat*.c -lm; then
 	for locale in $locales; do
 		upset="flush to zero, rounding up, LC_ALL=$locale"
 		is "hits: a library there before main(): $upset" \

@@ -1,15 +1,16 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * Long thin triangles that lie across the axes have boxes full of nothing. They become several references,
- * each with the box of a part of the triangle, before the tree is built (after Ernst and Greiner: Early Split
- * Clipping for Bounding Volume Hierarchies, 2007; Karras and Aila: Fast Parallel Construction of High-Quality
- * Bounding Volume Hierarchies, 2013).
+ * Long thin triangles that lie across the axes have boxes full of nothing. Are there so many that cutting them
+ * pays, and how many references will there be? Each triangle is cut in thought, as if alone (after Ernst and
+ * Greiner: Early Split Clipping for Bounding Volume Hierarchies, 2007; Karras and Aila: Fast Parallel Construction
+ * of High-Quality Bounding Volume Hierarchies, 2013). What is made of the answer is room; the tree's builder makes
+ * the cuts, where they pay there (bvh8_spatial.h).
  *
  * When to stop: a random ray that meets the scene's box, of area A, meets a box of area a with a chance of a/A.
  * One more reference, of n, makes it pass about 1/n more of a step of the way down; so a cut pays if it takes
- * more than GAIN A/n off the areas. Meshes of round triangles are left alone by this, beams become ten times as
- * many references, and split=, the most that there may be, ends it.
+ * more than GAIN A/n off the areas. Meshes of round triangles are left alone by this, and split=, the most that
+ * there may be, ends it.
  *
  * Triangles of hardly any width stay whole: where along a line the kernel finds them may be farther off than
  * the boxes of their parts allow for.

@@ -13,6 +13,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cmocka.h>
@@ -84,13 +85,17 @@ static unsigned char *read_plugin(size_t *size)
 {
 	struct diag d = { .sink = NULL };
 	struct accel_choice c;
-	unsigned char *bytes = malloc(1 << 22);
+	unsigned char *bytes;
+	struct stat st;
 	FILE *f;
 
 	assert_int_equal(accel_load(&c, "none", &d), STATUS_OK);
 	f = fopen(c.path, "rb");
 	assert_non_null(f);
-	*size = fread(bytes, 1, 1 << 22, f);
+	assert_int_equal(fstat(fileno(f), &st), 0);
+	*size = (size_t)st.st_size;
+	bytes = malloc(*size);
+	assert_int_equal(fread(bytes, 1, *size, f), *size);
 	fclose(f);
 	accel_unload(&c);
 	return bytes;
@@ -123,23 +128,32 @@ static void test_broken_files(void **state)
 	assert_int_equal(peek.found, 1);
 	assert_int_equal(peek.abi, ALD_ACCEL_ABI);
 	assert_int_equal(peek.size, sizeof(ald_accel_plugin));
-	for (size_t n = 0; n < size; n += n < 4096 ? 7 : 997) {
-		write_file(path, bytes, n);
+	for (size_t n = size - 1; n > 0; n -= n > 4096 && n > size / 512 ? size / 1024 : n > 7 ? 7 : 1) {
+		assert_int_equal(truncate(path, (off_t)n), 0);
 		assert_non_null(elf_peek_file(path, "ald_accel_entry", &peek));
 	}
+	write_file(path, bytes, size);
 	for (unsigned round = 0; round < 2000; round++) {
-		unsigned char *copy = malloc(size);
+		FILE *f = fopen(path, "r+b");
+		size_t at[8];
 
-		memcpy(copy, bytes, size);
+		assert_non_null(f);
 		for (unsigned k = 0; k < 8; k++) {
 			s = s * 6364136223846793005u + 1442695040888963407u;
 			/* Headers are at both ends. */
-			copy[k % 2 ? (s >> 33) % 1024 : size - 1 - (s >> 33) % 2048] = (unsigned char)(s >> 25);
+			at[k] = k % 2 ? (s >> 33) % 1024 : size - 1 - (s >> 33) % 2048;
+			fseek(f, (long)at[k], SEEK_SET);
+			fputc((int)(s >> 25 & 255), f);
 		}
-		write_file(path, copy, size);
+		fflush(f);
 		elf_peek_file(path, "ald_accel_entry", &peek);
-		free(copy);
+		for (unsigned k = 0; k < 8; k++) {
+			fseek(f, (long)at[k], SEEK_SET);
+			fputc(bytes[at[k]], f);
+		}
+		fclose(f);
 	}
+	assert_null(elf_peek_file(path, "ald_accel_entry", &peek));
 	unlink(path);
 	free(bytes);
 }

@@ -6,46 +6,41 @@
  * processor has is taken.
  */
 #include "bvh8.h"
+#include "isa.h"
 #include "seen.h"
-
-#include <stdio.h>
 
 #define CACHE ((uint64_t)2 << 20) /* bytes of a tree that a processor's second cache holds */
 
-static const char *const isa_label[] = { "auto", "plain", "sse", "avx2", "avx512", NULL };
 static const ald_param params[] = {
 	{ "split", "references at most, in primitives: long thin triangles in parts; 1: none", ALD_REAL, 16, 1,
 	  100, NULL },
 	{ "leaf", "triangles of a leaf at most", ALD_INT, 8, 1, SEATS * BLOCKS_MAX, NULL },
-	{ "isa", "instruction set; auto: the best there is", ALD_CHOICE, ISA_AUTO, 0, 4, isa_label },
+	ISA_PARAM,
 	{ "interleave",
 	  "rays a thread walks with in turns, where they are not coherent; 0: 48; 1: each alone",
 	  ALD_INT, 0, 0, INTERLEAVE_MAX, NULL },
 	{ NULL, NULL, 0, 0, 0, 0, NULL },
 };
 
-static const struct isa *isa_of(unsigned want)
+/* Of its own choice AVX2 before AVX-512, whose masks cost rays more than its width gains. */
+static const struct isa *isa_of(unsigned want, ald_error *err)
 {
+	if (want == ISA_AUTO && isa_here(ISA_AVX2))
+		want = ISA_AVX2;
+	switch (isa_choose(want, err)) {
 #if defined __x86_64__
-	int sse = __builtin_cpu_supports("sse4.2");
-	int avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-	int avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl");
-
-	switch (want) {
-	case ISA_AUTO:
-		return avx2 ? &bvh8_avx2 : sse ? &bvh8_sse : &bvh8_plain;
-	case ISA_SSE:
-		return sse ? &bvh8_sse : NULL;
-	case ISA_AVX2:
-		return avx2 ? &bvh8_avx2 : NULL;
 	case ISA_AVX512:
-		return avx512 ? &bvh8_avx512 : NULL;
-	default:
-		return &bvh8_plain;
-	}
-#else
-	return want == ISA_AUTO || want == ISA_PLAIN ? &bvh8_plain : NULL;
+		return &bvh8_avx512;
+	case ISA_AVX2:
+		return &bvh8_avx2;
+	case ISA_SSE:
+		return &bvh8_sse;
 #endif
+	case ISA_PLAIN:
+		return &bvh8_plain;
+	default:
+		return NULL;
+	}
 }
 
 static int (*make_of(const struct isa *isa))(struct builder *)
@@ -72,14 +67,11 @@ static int bvh8_build(const ald_host *host, const ald_prims *prims, const double
 		      ald_error *err)
 {
 	struct builder b = { .host = host, .prims = prims, .value = value };
-	const struct isa *isa = isa_of((unsigned)value[P_ISA]);
+	const struct isa *isa = isa_of((unsigned)value[P_ISA], err);
 	int status;
 
-	if (!isa) {
-		snprintf(err->text, sizeof(err->text), "isa=%s: this processor does not have it; give isa=auto",
-			 isa_label[(unsigned)value[P_ISA]]);
+	if (!isa)
 		return ALD_BAD_PARAM;
-	}
 	b.a = bvh8_take(host, 1, sizeof(*b.a), "bvh8: nodes");
 	if (!b.a)
 		return ALD_NO_MEMORY;

@@ -89,7 +89,6 @@ struct isa {
 extern const struct isa bvh8_plain, bvh8_sse, bvh8_avx2, bvh8_avx512;
 
 enum bvh8_param { P_SPLIT, P_LEAF, P_ISA, P_INTERLEAVE };
-enum { ISA_AUTO, ISA_PLAIN, ISA_SSE, ISA_AVX2, ISA_AVX512 };
 
 /* ---- building ---- */
 

@@ -378,7 +378,7 @@ static void warn_cell(const struct cache *c, const struct cache_cell *cell, uint
 /* The nearest surface may lie between a record's rays. Another record, closer to it, has met it then, and tells the
  * first, which would answer for places there (Krivanek and others, Making Radiance and Irradiance Caching Practical:
  * Adaptive Caching and Neighbor Clamping, 2006). All ask what was known before: no order shows. */
-static bool warn(struct cache *c)
+static bool warn(struct cache *c, bool *changed)
 {
 	uint32_t n = c->record.count;
 	double *near = mem_alloc(c->book, "indirect", mem_product(n, sizeof(*near)));
@@ -398,8 +398,10 @@ static bool warn(struct cache *c)
 		struct cache_record *r = BUF_AT(&c->record, struct cache_record, i);
 
 		r->nearest = near[i];
-		if (r->radius > r->least && NEAREST * c->slack * near[i] < r->radius)
+		if (r->radius > r->least && NEAREST * c->slack * near[i] < r->radius) {
 			set_radius(r, NEAREST * c->slack * near[i]);
+			*changed = true;
+		}
 	}
 	mem_free(near);
 	return true;
@@ -407,6 +409,8 @@ static bool warn(struct cache *c)
 
 bool cache_add(struct cache *c, struct cache_record *r, uint32_t n)
 {
+	bool changed = false;
+
 	if (!n)
 		return true;
 	if (!buf_reserve(&c->record, c->book, "indirect", n))
@@ -414,7 +418,7 @@ bool cache_add(struct cache *c, struct cache_record *r, uint32_t n)
 	qsort(r, n, sizeof(*r), by_key);
 	memcpy(BUF_AT(&c->record, struct cache_record, c->record.count), r, n * sizeof(*r));
 	c->record.count += n;
-	return make_index(c) && warn(c) && make_index(c);
+	return make_index(c) && warn(c, &changed) && (!changed || make_index(c));
 }
 
 struct cache_grid cache_grid(uint32_t samples)

@@ -192,7 +192,8 @@ static bool add_normals(struct pov *p, struct mesh_draft *d, const struct field 
 	return true;
 }
 
-/* What is below the water is not there. */
+/* What is below the water is not there. In POV-Ray the air of a pond is inside all the same, which shows where
+ * other solids are made with the object: use.c refuses that. */
 static bool cut_water(struct pov *p, const struct field *f, struct pov_object *o)
 {
 	struct pov_child *c;
@@ -208,6 +209,7 @@ static bool cut_water(struct pov *p, const struct field *f, struct pov_object *o
 	c->object->object.shape.plane.distance = -f->water;
 	c->before = o->object.place;
 	o->clip = c;
+	o->water = true;
 	o->weight += c->object->weight;
 	return true;
 }

@@ -121,6 +121,7 @@ struct pov_object { /* ITEM_OBJECT */
 	bool global_lights; /* its things are lit by the lights in no group too */
 	bool lamp; /* a light and what it looks like */
 	bool declared; /* it was given a name, or was made from such a thing */
+	bool water; /* a height_field cut off at a water_level */
 	bool uv; /* uv_mapping: all its textures are asked at (u, v, 0) */
 	unsigned given; /* enum object_flag: those that were given, on or off */
 	struct pov_lack lack;

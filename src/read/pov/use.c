@@ -26,6 +26,7 @@ struct context {
 	struct xform place; /* to the scene */
 	uint32_t solid; /* the union that gave the interior, or SCENE_NONE */
 	bool cut; /* only its inside counts */
+	bool solids; /* its inside counts too: solids are made of solids */
 	uint32_t group; /* of lights that stand here themselves */
 	uint32_t light_set; /* of all else */
 	bool declared; /* something around has a name */
@@ -262,6 +263,7 @@ static void enter(struct pov_object *o, const struct context *c, struct context 
 	}
 	inner->place = xform_mul(&o->object.place, &c->place);
 	inner->declared |= o->declared;
+	inner->solids |= o->object.kind > SHAPE_UNION;
 	inner->group = o->lamp ? c->group : SCENE_NONE;
 }
 
@@ -395,6 +397,13 @@ static bool use_through(struct pov *p, struct pov_object *o, const struct contex
 	return true;
 }
 
+static bool check_water(struct pov *p, const struct pov_object *o, const struct context *c)
+{
+	return !o->water || !(c->solids || c->cut) ||
+	       pov_unsupported(p, &o->object.pos, "a height_field with water_level as a part of a solid",
+			       "leave out water_level, or cut with a box instead");
+}
+
 /* *index: SCENE_NONE if it is a light or, with --lenient, something left out. */
 static bool use_object(struct pov *p, struct pov_object *o, const struct context *c, uint32_t *index)
 {
@@ -402,7 +411,7 @@ static bool use_object(struct pov *p, struct pov_object *o, const struct context
 	struct object *out;
 
 	*index = SCENE_NONE;
-	if (!check_place(p, o))
+	if (!check_place(p, o) || !check_water(p, o, c))
 		return false;
 	if (o->lack.construct) {
 		if (!pov_lack_use(p, &o->lack))

@@ -3,7 +3,8 @@ EXTRA_DIST += tests/bench/run.sh tests/bench/lecture.py tests/bench/povray.py te
 	tests/bench/measure_runs.py
 # Not made by make check.
 EXTRA_PROGRAMS += tests/bench/rays
-tests_bench_rays_SOURCES = tests/bench/rays.c tests/bench/race.c tests/bench/race.h tests/bench/tally.c \
+tests_bench_rays_SOURCES = tests/bench/rays.c tests/bench/race.c tests/bench/race.h tests/bench/settle.c \
+	tests/bench/settle.h tests/bench/tally.c \
 	tests/bench/worlds.c tests/bench/worlds.h tests/bench/suzanne.c tests/bench/suzanne.h tests/bench/shots.c \
 	tests/bench/directions.h tests/bench/peers.c tests/bench/peers.h tests/unit/rays.c tests/unit/rays.h
 tests_bench_rays_CPPFLAGS = $(AM_CPPFLAGS) -I$(top_srcdir)/src \

@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "base/clock.h"
+#include "settle.h"
 
 /* ---- engines ---- */
 
@@ -160,19 +161,6 @@ struct volley {
 	ald_hit *out; /* NULL: nobody wants them */
 };
 
-/* In exact order, what the host does. */
-static void settle(const struct bench *b, const ald_ray *r, ald_hit *hit)
-{
-	ald_prep prep;
-	ald_vec v[3];
-
-	if (hit->prim == ALD_NONE)
-		return;
-	ald_ray_prep(&b->world.mesh.frame, r, &prep);
-	ald_corners(&b->world.mesh.prims, hit->prim, 0, v);
-	ald_exact_settle(&prep, v, hit, 0);
-}
-
 static void fire_batch(void *arg, uint32_t i, uint32_t thread)
 {
 	const struct volley *v = arg;
@@ -183,6 +171,7 @@ static void fire_batch(void *arg, uint32_t i, uint32_t thread)
 	ald_query q = e->q[thread];
 	ald_hit *hit = b->hit[thread];
 	uint8_t *hidden = b->hidden[thread];
+	ald_prims prims = b->world.mesh.prims;
 	bool any = kind_any(v->kind);
 
 	n = n < BATCH ? n : BATCH;
@@ -196,8 +185,10 @@ static void fire_batch(void *arg, uint32_t i, uint32_t thread)
 		e->choice.plugin->occluded_n(e->it, &q, ray, hidden, n, hints);
 	else
 		e->choice.plugin->intersect_n(e->it, &q, ray, hit, n, hints);
-	for (uint32_t j = 0; j < n && !any && e->precision == ALD_PRECISION_EXACT; j++)
-		settle(b, &ray[j], &hit[j]);
+	if (!any && e->precision == ALD_PRECISION_EXACT) {
+		prims.precision = e->precision; /* the last one that was built with may be another */
+		settle_as_host(&prims, &b->world.mesh.frame, ray, hit, n);
+	}
 	for (uint32_t j = 0; j < n && v->out; j++) {
 		v->out[at + j].t = any ? 0 : hit[j].t;
 		v->out[at + j].prim = any ? (hidden[j] ? 0 : ALD_NONE) : hit[j].prim;

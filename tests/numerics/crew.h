@@ -11,8 +11,9 @@
 #include "trial.h"
 
 /* Calls all() in as many processes, and prints what they tell as TAP, with sums by class at the end. all() is to
- * go through all cells, each of which begins with crew_claims() and ends with crew_tell(). True: all is well. */
-bool crew_run(unsigned processes, void (*all)(void));
+ * go through all cells, each of which begins with crew_claims() and ends with crew_tell(). Those before first,
+ * counted from 0, are left out. True: all is well. */
+bool crew_run(unsigned processes, uint32_t first, void (*all)(void));
 /* The next cell begins. Is it ours? If not, it must be left at once. */
 bool crew_claims(void);
 /* Its number, from 0: for seeds. */

@@ -3,9 +3,10 @@
  *
  * Every accelerator against exact arithmetic, on rays made to be hard: run by judge.sh.
  *
- *	judge [-n RAYS] [-s SEED] [-p PRECISION] [-j PROCESSES] [-a ACCEL]... [CLASSES]
+ *	judge [-n RAYS] [-s SEED] [-p PRECISION] [-j PROCESSES] [-c CELL] [-a ACCEL]... [CLASSES]
  *
- * RAYS a cell (3000); PROCESSES share the cells (as many as there are cores). Classes (all): a aimed at vertices
+ * RAYS a cell (3000); PROCESSES share the cells (as many as there are cores), from CELL on (1), with the seeds and
+ * numbers that these have among all: a run that was stopped goes on so. Classes (all): a aimed at vertices
  * and edges; b grazing and in the plane of faces; c along axes; d needles and faces without area; e rays that
  * leave surfaces; f extremes of size, and numbers that are none; g sheets very close to each other; r ordinary
  * ones.
@@ -524,17 +525,19 @@ int main(int argc, char **argv)
 	const char *const *usual;
 	const char *accel[TRIAL_ACCELS + 1] = { NULL };
 	unsigned accels = 0;
-	unsigned processes = pool_cores();
+	unsigned processes = pool_cores(), first = 1;
 	bool good;
 	int c;
 
-	while ((c = getopt(argc, argv, "n:s:p:j:a:")) != -1) {
+	while ((c = getopt(argc, argv, "n:s:p:j:c:a:")) != -1) {
 		if (c == 'n')
 			rays = (uint32_t)strtoul(optarg, NULL, 10);
 		else if (c == 's')
 			first_seed = strtoull(optarg, NULL, 10);
 		else if (c == 'j')
 			processes = (unsigned)strtoul(optarg, NULL, 10);
+		else if (c == 'c')
+			first = (unsigned)strtoul(optarg, NULL, 10);
 		else if (c == 'p' && named(optarg, &precision))
 			;
 		else if (c == 'a' && accels < TRIAL_ACCELS)
@@ -542,6 +545,8 @@ int main(int argc, char **argv)
 		else
 			return 2;
 	}
+	if (!first)
+		return 2;
 	if (optind < argc)
 		want = argv[optind];
 	usual = precision == ALD_PRECISION_FAST ? alike : all;
@@ -549,7 +554,7 @@ int main(int argc, char **argv)
 		return 1;
 	printf("# seed %llu, %u rays a cell, precision %s\n", (unsigned long long)first_seed, rays,
 	       accel_precision_name(precision));
-	good = crew_run(processes, run_classes);
+	good = crew_run(processes, first - 1, run_classes);
 	trial_tools_release(&tools);
 	return !good;
 }

@@ -401,12 +401,59 @@ static void open_cones_have_their_apex(void **state)
 	}
 }
 
+/* A matrix of whole numbers times k, nearly flat, and its inverse, each number of it rounded once. */
+static void flat_matrix(uint64_t *seed, double k, struct mat *a, struct mat *inverse)
+{
+	double l[3], u[3];
+
+	for (unsigned i = 0; i < 3; i++) {
+		l[i] = rint(15 * (2 * uniform(seed) - 1));
+		u[i] = rint(15 * (2 * uniform(seed) - 1));
+	}
+	/* 1 and l below times 1 and u above */
+	*a = (struct mat){ { { 1, u[0], u[1] },
+			     { l[0], l[0] * u[0] + 1, l[0] * u[1] + u[2] },
+			     { l[1], l[1] * u[0] + l[2], l[1] * u[1] + l[2] * u[2] + 1 } } };
+	l[1] = l[0] * l[2] - l[1]; /* the inverses of both, then their product */
+	u[1] = u[0] * u[2] - u[1];
+	*inverse = (struct mat){ { { 1 + u[0] * l[0] + u[1] * l[1], -u[0] - u[1] * l[2], u[1] },
+				   { -l[0] - u[2] * l[1], 1 + u[2] * l[2], -u[2] },
+				   { l[1], -l[2], 1 } } };
+	for (unsigned i = 0; i < 9; i++) {
+		a->m[i / 3][i % 3] *= k;
+		inverse->m[i / 3][i % 3] /= k;
+	}
+}
+
+/* As good as numbers can be, however flat the shape: by cofactors alone the inverse is off by 78,000 roundoffs. */
+static void maps_are_inverse(void **state)
+{
+	const struct xform nowhere = xform_identity;
+	uint64_t seed = 7;
+
+	(void)state;
+	for (unsigned n = 0; n < 1000; n++) {
+		struct mat a, inverse;
+		double largest = 0, off = 0;
+		struct prim p = { .kind = SHAPE_SPHERE };
+
+		flat_matrix(&seed, rint(uniform(&seed) * 0x1p40) * 2 + 1, &a, &inverse);
+		assert_true(prim_frame(&p, &a, &nowhere, vec_make(0, 0, 0), 1));
+		for (unsigned i = 0; i < 9; i++) {
+			largest = fmax(largest, fabs(inverse.m[i / 3][i % 3]));
+			off = fmax(off, fabs(p.to.m[i / 3][i % 3] - inverse.m[i / 3][i % 3]));
+		}
+		assert_true(off <= 2 * ALD_U * largest);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(boxes_hold_and_fit),
 		cmocka_unit_test(ends_are_met_within_their_radius),
 		cmocka_unit_test(far_shapes_are_found),
+		cmocka_unit_test(maps_are_inverse),
 		cmocka_unit_test(open_cones_have_their_apex),
 		cmocka_unit_test(solids_are_tight),
 		cmocka_unit_test(secondary_rays_leave),

@@ -241,8 +241,10 @@ static enum status run_write(struct run *run, bool complete)
 	snprintf(hash, sizeof(hash), "%016" PRIx64, scene_hash(run->scene));
 	if (!s->alpha)
 		drop_alpha(&run->image);
+	progress_begin(&run->progress, "writing", began);
 	st = image_write(&run->image, path, s->bits, note, sizeof(note) / sizeof(*note), &run->diag);
 	run->write_seconds = clock_seconds() - began;
+	progress_end(&run->progress, clock_seconds());
 	if (!st && !complete)
 		fprintf(stderr, "alidade: stopped; what is there is in %s\n", path);
 	return st;

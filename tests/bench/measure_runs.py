@@ -7,6 +7,7 @@ import resource
 import statistics
 import subprocess
 import sys
+import tempfile
 import time
 
 
@@ -28,6 +29,21 @@ def timed(command, cwd=None):
     seconds, _ = run(command, cwd)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     return seconds, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def peaked(command, cwd=None):
+    """Seconds from start to end, the most memory in bytes, and what the program printed."""
+    with tempfile.TemporaryFile() as out:
+        start = time.perf_counter()
+        child = subprocess.Popen(command, cwd=cwd, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT)
+        _, status, usage = os.wait4(child.pid, 0)
+        seconds = time.perf_counter() - start
+        child.returncode = os.waitstatus_to_exitcode(status)
+        out.seek(0)
+        text = out.read().decode('utf-8', 'replace')
+    if child.returncode:
+        sys.exit('%s: exit status %d\n%s' % (' '.join(command), child.returncode, text[-2000:]))
+    return seconds, 1024 * usage.ru_maxrss, text
 
 
 def alidade(arguments, folder):

@@ -77,7 +77,7 @@ keys()
 ok "every key is in alidade(1)" keys
 ok "--progress=json" sh -c '"$0" -s 16x12 -o s.ppm --progress=json scene.pov >progress' "$ALIDADE"
 is "begins with reading" "$(head -n 1 progress)" '{"kind": "begin", "phase": "reading", "elapsed": 0}'
-ok "and ends" sh -c 'tail -n 1 progress | grep -q "\"kind\": \"end\", \"phase\": \"rendering\""'
+ok "and ends" sh -c 'tail -n 1 progress | grep -q "\"kind\": \"end\", \"phase\": \"writing\""'
 is "quiet is quiet" "$(run -s 16x12 -o s.ppm scene.pov 2>&1)" ""
 ok "--list-accels" sh -c '"$0" --list-accels | grep -q "^octree "' "$ALIDADE"
 ok "--version" sh -c '"$0" --version | grep -q "^Alidade [0-9]"' "$ALIDADE"

@@ -118,8 +118,17 @@ static double difference(const struct sample *a, const struct sample *b, double 
 	       fabs(a->transmit - b->transmit);
 }
 
-/* n x n centres of equal squares; n = 1 is no anti-aliasing. They are asked for row by row, so that it is known
- * where each stands. */
+/* Place (x, y) of columns x rows is asked for as which? In squares of 4 x 4, so that rays which follow each other
+ * lie together. */
+static inline uint32_t square_index(uint32_t x, uint32_t y, uint32_t columns, uint32_t rows)
+{
+	uint32_t left = x & ~3u, top = y & ~3u;
+	uint32_t width = columns - left < 4 ? columns - left : 4, height = rows - top < 4 ? rows - top : 4;
+
+	return top * columns + left * height + (y & 3) * width + (x & 3);
+}
+
+/* n x n centres of equal squares; n = 1 is no anti-aliasing. It is known where each stands. */
 static bool plain_part(struct worker *w, const struct aa_tile *tile, uint32_t n, struct aa_pixel *pixel,
 		       uint32_t pitch)
 {
@@ -134,17 +143,19 @@ static bool plain_part(struct worker *w, const struct aa_tile *tile, uint32_t n,
 	for (uint32_t y = 0; y < rows; y++) {
 		double at = coordinate(tile->y, (int32_t)y, 0.5, n);
 
-		for (uint32_t x = 0; x < columns; x++, s++) {
-			s->x = coordinate(tile->x, (int32_t)x, 0.5, n);
-			s->y = at;
+		for (uint32_t x = 0; x < columns; x++) {
+			struct sample *one = s + square_index(x, y, columns, rows);
+
+			one->x = coordinate(tile->x, (int32_t)x, 0.5, n);
+			one->y = at;
 		}
 	}
 	if (!wave_trace(w, 0, columns * rows))
 		return false;
 	s = w->sample.data;
 	for (uint32_t y = 0; y < rows; y++) {
-		for (uint32_t x = 0; x < columns; x++, s++)
-			pixel_add(&pixel[y / n * pitch + x / n], s, weight);
+		for (uint32_t x = 0; x < columns; x++)
+			pixel_add(&pixel[y / n * pitch + x / n], s + square_index(x, y, columns, rows), weight);
 	}
 	return true;
 }

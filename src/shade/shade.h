@@ -74,8 +74,9 @@ void shade_sky_init(struct shader *);
 void shade_sky(const struct shader *, struct node *);
 /* A ray that hit: appends a met with its parts, layers and mirrors. */
 void shade_hit(const struct shader *, struct tree *, uint32_t node, const ald_ray *, const ald_hit *);
-/* Light at all hits met in this wave, shadows traced; the parts' own light is complete then. */
-void shade_light(const struct shader *, struct tree *, uint32_t thread, struct shade_counts *);
+/* Light at all hits met in this wave, shadows traced; the parts' own light is complete then. hints: how the rays lie
+ * that hit. */
+void shade_light(const struct shader *, struct tree *, uint32_t thread, uint32_t hints, struct shade_counts *);
 /* The light from below the hits of this wave, whose mets are gone then, and the nodes that it asks for. */
 void shade_subsurface(const struct shader *, struct tree *, uint32_t thread, struct shade_counts *);
 /* Media between origin and end of nodes first .. first + n - 1, as veils. */

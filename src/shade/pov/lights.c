@@ -182,7 +182,7 @@ static bool is_asked(const struct lit *lit, const struct light *l)
 }
 
 /* Shadow questions of the point lights, answered in the order they were asked. */
-static void ask_points(const struct shader *sh, struct tree *t, uint32_t thread,
+static void ask_points(const struct shader *sh, struct tree *t, uint32_t thread, uint32_t hints,
 		       struct shade_counts *counts)
 {
 	uint32_t next = 0;
@@ -196,7 +196,7 @@ static void ask_points(const struct shader *sh, struct tree *t, uint32_t thread,
 		if (is_asked(lit, l))
 			ask(sh, t, l, m, node_of(t, m), &r, lit->colour);
 	}
-	shadow_trace(sh, t, thread, 0, counts);
+	shadow_trace(sh, t, thread, 0, hints, counts);
 	if (t->no_memory)
 		return;
 	for (uint32_t i = 0; i < t->lit.count; i++) {
@@ -376,7 +376,7 @@ static void ask_areas(const struct shader *sh, struct tree *t, uint32_t thread,
 		}
 		if (t->no_memory)
 			return;
-		shadow_trace(sh, t, thread, 0, counts);
+		shadow_trace(sh, t, thread, 0, 0, counts);
 		for (uint32_t i = 0; i < t->asked.count; i++) {
 			struct cell *c = BUF_AT(&t->cell, struct cell, *BUF_AT(&t->asked, uint32_t, i));
 
@@ -386,9 +386,10 @@ static void ask_areas(const struct shader *sh, struct tree *t, uint32_t thread,
 	}
 }
 
-void lights_answer(const struct shader *sh, struct tree *t, uint32_t thread, struct shade_counts *counts)
+void lights_answer(const struct shader *sh, struct tree *t, uint32_t thread, uint32_t hints,
+		   struct shade_counts *counts)
 {
-	ask_points(sh, t, thread, counts);
+	ask_points(sh, t, thread, hints, counts);
 	if (!t->no_memory)
 		ask_areas(sh, t, thread, counts);
 }
@@ -442,17 +443,19 @@ static void fall_spread(const struct shader *sh, struct tree *t, const struct me
 	}
 }
 
-void shade_light(const struct shader *sh, struct tree *t, uint32_t thread, struct shade_counts *counts)
+void shade_light(const struct shader *sh, struct tree *t, uint32_t thread, uint32_t hints,
+		 struct shade_counts *counts)
 {
-	for (uint32_t i = 0; i < t->met.count; i++) {
-		const struct met *m = BUF_AT(&t->met, struct met, i);
+	/* Light by light, so that rays which follow each other go to the same one. */
+	for (uint32_t j = 0; j < sh->scene->light_count; j++) {
+		for (uint32_t i = 0; i < t->met.count; i++) {
+			const struct met *m = BUF_AT(&t->met, struct met, i);
 
-		for (uint32_t j = 0; m->layer_count && j < sh->scene->light_count; j++) {
-			if (scene_lit_by(sh->scene, &sh->scene->light[j], m->light_set))
+			if (m->layer_count && scene_lit_by(sh->scene, &sh->scene->light[j], m->light_set))
 				ask_light(sh, t, i, j, true);
 		}
 	}
-	lights_answer(sh, t, thread, counts);
+	lights_answer(sh, t, thread, hints, counts);
 	if (t->no_memory)
 		return;
 	for (uint32_t i = 0; i < t->lit.count; i++) {

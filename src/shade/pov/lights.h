@@ -10,7 +10,7 @@
 
 /* Append a lit for this light at met hit, unless none can come; true if it was appended. */
 bool lights_ask(const struct shader *, struct tree *, uint32_t hit, uint32_t light);
-/* What arrives, shadows included, becomes the colour of all lits. */
-void lights_answer(const struct shader *, struct tree *, uint32_t thread, struct shade_counts *);
+/* What arrives, shadows included, becomes the colour of all lits. hints: how their rays lie, light by light. */
+void lights_answer(const struct shader *, struct tree *, uint32_t thread, uint32_t hints, struct shade_counts *);
 
 #endif

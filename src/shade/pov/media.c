@@ -535,7 +535,7 @@ static void sum_group(const struct shader *sh, struct tree *t, uint32_t thread, 
 		}
 		if (complete || t->no_memory)
 			return;
-		lights_answer(sh, t, thread, counts);
+		lights_answer(sh, t, thread, 0, counts);
 		for (; asked < t->media.sample.count && !t->no_memory; asked++)
 			take_light(sh->scene, t, BUF_AT(&t->media.sample, struct sample, asked));
 	}

@@ -173,7 +173,7 @@ static void filter_batch(const struct shader *sh, struct tree *t, uint32_t threa
 }
 
 static void trace_batch(const struct shader *sh, struct tree *t, uint32_t thread, struct shadow *s,
-			uint32_t n, struct shade_counts *counts)
+			uint32_t n, uint32_t hints, struct shade_counts *counts)
 {
 	ald_ray *ray = t->ray.data;
 	uint8_t *hidden = t->hidden.data;
@@ -181,7 +181,7 @@ static void trace_batch(const struct shader *sh, struct tree *t, uint32_t thread
 
 	for (uint32_t i = 0; i < n; i++)
 		make_ray(sh, &ray[i], &s[i], TRACE_SHADOW_OPAQUE);
-	trace_occluded(sh->geometry, thread, ray, hidden, n, 0);
+	trace_occluded(sh->geometry, thread, ray, hidden, n, hints);
 	counts->shadow_cast += n;
 	for (uint32_t i = 0; i < n; i++) {
 		if (hidden[i]) {
@@ -231,7 +231,7 @@ static void project(const struct shader *sh, uint32_t thread, struct shadow *s)
 }
 
 void shadow_trace(const struct shader *sh, struct tree *t, uint32_t thread, uint32_t first,
-		  struct shade_counts *counts)
+		  uint32_t hints, struct shade_counts *counts)
 {
 	t->ray.count = t->hit.count = t->hidden.count = 0;
 	if (tree_push(t, &t->ray, BATCH) == TREE_NONE || tree_push(t, &t->hit, BATCH) == TREE_NONE ||
@@ -243,7 +243,7 @@ void shadow_trace(const struct shader *sh, struct tree *t, uint32_t thread, uint
 		uint32_t n = t->shadow.count - first;
 
 		n = n < BATCH ? n : BATCH;
-		trace_batch(sh, t, thread, BUF_AT(&t->shadow, struct shadow, first), n, counts);
+		trace_batch(sh, t, thread, BUF_AT(&t->shadow, struct shadow, first), n, hints, counts);
 		first += n;
 	}
 }

@@ -8,8 +8,8 @@
 
 #include "shade/shade.h"
 
-/* Answer tree.shadow[first ..]: each colour is multiplied by what lets it through. */
-void shadow_trace(const struct shader *, struct tree *, uint32_t thread, uint32_t first,
+/* Answer tree.shadow[first ..]: each colour is multiplied by what lets it through. hints: how they lie. */
+void shadow_trace(const struct shader *, struct tree *, uint32_t thread, uint32_t first, uint32_t hints,
 		  struct shade_counts *);
 
 /* Light that POV-Ray takes for none. */

@@ -441,7 +441,7 @@ static bool shade_round(struct below *b, bool first)
 	}
 	if (first && (!send_once(b) || !take_once(b)))
 		return false;
-	lights_answer(b->sh, t, b->thread, b->counts);
+	lights_answer(b->sh, t, b->thread, 0, b->counts);
 	if (t->no_memory)
 		return false;
 	add_light(b);

@@ -15,7 +15,7 @@ static const char *const packet_label[] = { "auto", "1", "4", "8", "16", "stream
 static const char *const quality_label[] = { "low", "medium", "high", NULL };
 static const char *const isa_label[] = { "auto", "sse4.2", "avx", "avx2", "avx512", NULL };
 static const ald_param params[] = {
-	{ "native", "inexact: Embree's own triangles, in floats", ALD_BOOL, 0, 0, 1, NULL },
+	{ "native", "Embree's own triangles, in floats", ALD_BOOL, 0, 0, 1, NULL },
 	{ "packet", "rays of a call; auto: 4 from one origin, else 1; native=1: 16 if they are coherent, else 8",
 	  ALD_CHOICE, PACKET_AUTO, 0, 5, packet_label },
 	{ "robust", "with native=1: Embree's watertight mode", ALD_BOOL, 1, 0, 1, NULL },
@@ -421,4 +421,5 @@ const ald_accel_plugin ald_accel_entry = {
 	.intersect_n = embree_intersect_n,
 	.occluded_n = embree_occluded_n,
 	.stat = embree_stat,
+	.inexact = 1u << P_NATIVE,
 };

@@ -574,9 +574,9 @@ static void run_release(struct run *run)
 	settings_release(&run->settings);
 }
 
-static void print_params(const ald_param *p)
+static void print_params(const ald_param *p, uint32_t inexact)
 {
-	for (; p && p->name; p++) {
+	for (; p && p->name; p++, inexact >>= 1) {
 		printf("    %s=", p->name);
 		if (p->type == ALD_BOOL)
 			printf("%s  (0 or 1)", p->def != 0 ? "1" : "0");
@@ -585,7 +585,7 @@ static void print_params(const ald_param *p)
 				printf("%s%s%s", i ? "|" : "", p->label[i], i == (int)p->def ? "*" : "");
 		else
 			printf("%.17g  (%.17g to %.17g)", p->def, p->min, p->max);
-		printf("  %s\n", p->help);
+		printf("  %s%s\n", inexact & 1 ? "inexact, unless as by default: " : "", p->help);
 	}
 }
 
@@ -597,7 +597,7 @@ static void print_accel(void *arg, const struct accel_choice *a)
 	if (run->settings.verbosity > 0)
 		printf("    version %s, %s, %s\n", a->plugin->version, a->plugin->license,
 		       a->handle ? a->path : "built in");
-	print_params(a->plugin->params);
+	print_params(a->plugin->params, a->plugin->inexact);
 }
 
 static void print_version(void)

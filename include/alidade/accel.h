@@ -157,6 +157,7 @@ typedef struct {
 	int (*walk)(const ald_accel *, const ald_ray *only, ald_visit *, void *arg); /* [any] only:
 									those it opens; none */
 	const void *(*extension)(const char *id); /* "org.example.thing/1" to a struct; NULL */
+	uint32_t inexact; /* bit i: with params[i] other than its default, R1 and R2 do not hold; 0 */
 } ald_accel_plugin;
 
 /* The order that makes all accelerators agree: nearer first, then the smaller id (R2). */

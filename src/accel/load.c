@@ -206,6 +206,7 @@ static enum status check_entry(const ald_accel_plugin *p, const char *path, cons
 {
 	const uint32_t known = ALD_PRECISION_DEFAULT | ALD_PRECISION_EXACT | ALD_PRECISION_FAST;
 	const char *fault, *which;
+	uint32_t params = 0; /* 32 at most */
 
 	if (!p->name || strcmp(p->name, name))
 		return diag_fail(d, STATUS_ACCEL, NULL,
@@ -220,6 +221,10 @@ static enum status check_entry(const ald_accel_plugin *p, const char *path, cons
 	if (!(p->precisions & known))
 		return refuse(d, path, "it states no precision that it can serve",
 			      "set precisions to ALD_PRECISION_DEFAULT");
+	while (p->params && p->params[params].name)
+		params++;
+	if ((uint64_t)p->inexact >> params)
+		return refuse(d, path, "its inexact has a bit for a parameter that it has not", NULL);
 	if (!p->build || !p->intersect || !p->destroy)
 		return diag_fail(d, STATUS_ACCEL, NULL,
 				 "accelerator %s: its function %s is missing; build, intersect and "
@@ -422,12 +427,28 @@ static void add_serving(void *arg, const struct accel_choice *c)
 		text_add(&s->names, "%s%s", s->names.used ? ", " : "", c->plugin->name);
 }
 
+const ald_param *accel_inexact(const struct accel_choice *c)
+{
+	const ald_param *p = c->plugin->params;
+
+	for (uint32_t i = 0; p && p[i].name; i++) {
+		if (c->plugin->inexact >> i & 1 && (c->value[i] < p[i].def || c->value[i] > p[i].def))
+			return &p[i];
+	}
+	return NULL;
+}
+
 enum status accel_set_precision(struct accel_choice *c, uint32_t precision, struct diag *d)
 {
 	struct serving s = { .precision = precision };
+	const ald_param *inexact = accel_inexact(c);
 	enum status st;
 
 	c->precision = precision;
+	if (inexact && precision == ALD_PRECISION_EXACT)
+		return diag_fail(d, STATUS_ACCEL, NULL,
+				 "accelerator %s: what %s asks for (%s) is inexact, and --precision=exact is asked "
+				 "for too; leave one out", c->plugin->name, inexact->name, inexact->help);
 	if (c->plugin->precisions & precision)
 		return STATUS_OK;
 	st = accel_list(add_serving, &s, d);

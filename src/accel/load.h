@@ -24,9 +24,12 @@ struct accel_choice {
  * Every refusal is reported with path and reason, as STATUS_ACCEL. */
 enum status accel_load(struct accel_choice *, const char *spec, struct diag *);
 void accel_unload(struct accel_choice *);
-/* Ask it for ALD_PRECISION_...; refused, with the names of those that serve it, if it does not. */
+/* Ask it for ALD_PRECISION_...; refused, with the names of those that serve it, if it does not, and if its own
+ * parameters make what should be exact inexact. */
 enum status accel_set_precision(struct accel_choice *, uint32_t precision, struct diag *);
 const char *accel_precision_name(uint32_t precision);
+/* The first parameter that it says makes its answers inexact, and that is not its default; NULL: all are. */
+const ald_param *accel_inexact(const struct accel_choice *);
 
 /* Every plugin found on the search path, for --list-accels; a broken one is reported as a warning and
  * left out. visit's argument lives during the call only. */

@@ -187,6 +187,19 @@ s = [s for s in json.load(open("l.json"))["settings"] if s["measured"]]
 assert len(s) == 2
 assert all(x["hits_checked"] >= 24 * 18 and x["values"]["wrong_per_million"]["median"] == 0 for x in s)'
 
+ok "hits of which some may be wrong" sh -c '"$0" -q --verify=1 --sweep=aa=2 --repeat=1 --json=n.json --html=n.html s.pov \
+	-- -s 24x18 --precision=fast >text' "$TRADE"
+ok "are said to be inexact beside what is recommended, with how many were wrong" python3 -c '
+import json
+r = json.load(open("n.json"))
+text, page = open("text").read(), open("n.html").read()
+assert all(s["inexact"] == "--precision=fast" for s in r["settings"])
+for v in r["recommendations"]:
+    assert v["caution"].startswith("Its hits are inexact: --precision=fast. Wrong here: "), v
+    assert "\n  " + v["caution"] + "\n" in text and v["caution"] in page
+assert r["recommendations"]
+assert all(v["caution"] is None for v in json.load(open("l.json"))["recommendations"])'
+
 # Errors are the same whoever draws; of times nothing is said here.
 ok "confirming" trade --sweep=aa=2 --repeat=3 --confirm --json=k.json s.pov -- -s 24x18
 ok "holds" python3 -c '

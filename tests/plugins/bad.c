@@ -27,6 +27,9 @@ __attribute__((constructor)) static void started(void)
 #ifndef BAD_PRECISIONS
 #define BAD_PRECISIONS ALD_PRECISION_DEFAULT
 #endif
+#ifndef BAD_INEXACT
+#define BAD_INEXACT 0
+#endif
 #ifndef BAD_SUMMARY
 #define BAD_SUMMARY "for tests"
 #endif
@@ -88,5 +91,6 @@ __attribute__((visibility("default"))) const ald_accel_plugin ald_accel_entry = 
 	.intersect = bad_intersect,
 #endif
 	.destroy = bad_destroy,
+	.inexact = BAD_INEXACT,
 };
 #endif

@@ -124,6 +124,20 @@ is "a precision that it does not serve" \
 	"alidade: error: accelerator bad: it does not serve --precision=exact; these do: box, bvh8$embree, none, octree, sphere"
 plugin bad/bad.so -DBAD_PARAMS='{ "k", "help", ALD_INT, 9, 0, 5, NULL }'
 refused "a default out of range" bad "accelerator @/bad.so: its parameter 'k' is wrong: its default is outside its range"
+plugin bad/bad.so -DBAD_INEXACT=2 -DBAD_PARAMS='{ "k", "help", ALD_INT, 0, 0, 5, NULL }'
+refused "a bit for no parameter" bad "accelerator @/bad.so: its inexact has a bit for a parameter that it has not"
+plugin bad/bad.so -DBAD_INEXACT=1 -DBAD_PARAMS='{ "k", "of steel", ALD_INT, 0, 0, 5, NULL }' \
+	-DBAD_PRECISIONS=ALD_PRECISION_DEFAULT+ALD_PRECISION_EXACT
+says "a parameter that is inexact" 0 bad:k=1 '^bad:k=1$'
+ok "and listed as such" sh -c '"$0" --list-accels 2>&1 | grep -q "k=0  (0 to 5)  inexact, unless as by default: of steel"' \
+	"$ALIDADE_BUILD/src/alidade"
+is "is no way to exact hits" \
+	"$("$ALIDADE_BUILD/src/alidade" -a bad:k=1 --precision=exact --dry-run "$ALIDADE_SRC/tests/cli/scene.pov" 2>&1 |
+		grep ^alidade)" \
+	"alidade: error: accelerator bad: what k asks for (of steel) is inexact, and --precision=exact is asked for too; leave one out"
+is "unless it is its default" \
+	"$("$ALIDADE_BUILD/src/alidade" -a bad:k=0 --precision=exact --dry-run "$ALIDADE_SRC/tests/cli/scene.pov" 2>&1 |
+		grep -c inexact)" 0
 plugin bad/bad.so -DBAD_PARAMS='{ "K", "help", ALD_INT, 0, 0, 5, NULL }'
 refused "a parameter's name" bad "accelerator @/bad.so: its parameter 'K' is wrong: its name is not of the form [a-z][a-z0-9-]*"
 plugin bad/bad.so -DBAD_PARAMS='{ "k", "help", ALD_INT, 0.5, 0, 5, NULL }'

@@ -17,6 +17,7 @@
 
 #include <cmocka.h>
 
+#include "accel/load.h"
 #include "trade/trade.h"
 
 #define SETTINGS 8
@@ -181,6 +182,72 @@ static void test_most_accurate(void **state)
 	assert_true(v->pick == finer && !finest->front);
 }
 
+/* What goes together and what is inexact is what accelerators say of themselves. */
+static bool goes(struct trade *t, const char *accel, const char *precision)
+{
+	static struct trade_served known;
+	char one[64], two[64];
+	char *option[] = { one, two };
+	bool first;
+
+	snprintf(one, sizeof(one), "--accel=%s", accel);
+	snprintf(two, sizeof(two), "--precision=%s", precision);
+	first = trade_goes(t, option, 2, &known);
+	assert_int_equal(trade_goes(t, option, 2, &known), first);
+	return first;
+}
+
+static const char *inexact(struct trade *t, const char *options)
+{
+	char one[64];
+	char *option[] = { one };
+
+	snprintf(one, sizeof(one), "--%s", options);
+	return trade_inexact(t, option, 1);
+}
+
+static bool embree_there(void)
+{
+	struct accel_choice c;
+	struct diag silent = { 0 };
+	bool there = !accel_load(&c, "embree", &silent);
+
+	if (there)
+		accel_unload(&c);
+	return there;
+}
+
+static void test_together(void **state)
+{
+	struct trade *t = *state;
+	struct trade_setting *base = add(t, 1, 0.1, 0.1, 5), *fast = add(t, 0.99, 0.1, 0.1, 5);
+	const struct trade_verdict *v;
+
+	t->scene = "scene.pov";
+	assert_true(goes(t, "octree", "fast") && goes(t, "octree:leaf=4", "exact") && goes(t, "octree", "default"));
+	assert_true(goes(t, "nosuch", "fast")); /* nobody knows */
+	assert_string_equal(inexact(t, "accel=octree:leaf=4"), "");
+	assert_string_equal(inexact(t, "aa=4"), "");
+	assert_string_equal(inexact(t, "precision=fast"), "--precision=fast");
+	/* Of two that are as fast and as accurate the one whose hits are right. */
+	v = ask(t, 0.1, (double)NAN);
+	assert_true(v->outcome == TRADE_TIED && v->pick == fast && !trade_caution_text(t, fast));
+	fast->inexact = "something";
+	v = ask(t, 0.1, (double)NAN);
+	assert_true(v->outcome == TRADE_TIED && v->pick == base && !trade_caution_text(t, base));
+	assert_non_null(strstr(trade_caution_text(t, fast), "inexact: something. How many"));
+	fast->checked = 1e6;
+	fast->different = 7;
+	trade_summarise(t);
+	assert_non_null(strstr(trade_caution_text(t, fast), "inexact: something. Wrong here: 7 /M"));
+	if (!embree_there())
+		return;
+	assert_false(goes(t, "embree", "fast") || goes(t, "embree:native=1", "exact"));
+	assert_true(goes(t, "embree", "exact") && goes(t, "embree:native=1", "default"));
+	assert_string_equal(inexact(t, "accel=embree:native=0,quality=low"), "");
+	assert_non_null(strstr(inexact(t, "accel=embree:quality=low,native=1"), "native of embree ("));
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -188,6 +255,7 @@ int main(void)
 		cmocka_unit_test_setup_teardown(test_front, setup, teardown),
 		cmocka_unit_test_setup_teardown(test_fastest, setup, teardown),
 		cmocka_unit_test_setup_teardown(test_most_accurate, setup, teardown),
+		cmocka_unit_test_setup_teardown(test_together, setup, teardown),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -75,17 +75,16 @@ static uint32_t find_effects(const struct trade *t, uint32_t f, struct effect *o
 	return n;
 }
 
-/* Some options exclude each other. */
-static bool goes_together(const struct trade *t, const uint16_t *level)
+/* Some options exclude each other, and not every accelerator serves every precision. */
+static bool goes_together(const struct trade *t, const uint16_t *level, struct trade_served *known)
 {
 	const char *option[TRADE_FACTORS * TRADE_LEVEL_OPTIONS + 1];
 	struct trade_setting s = { 0 };
-	struct diag silent = { 0 };
 	uint32_t n;
 
 	memcpy(s.level, level, sizeof(s.level));
 	n = trade_options(t, &s, option);
-	return !trade_allowed(t, (char *const *)(uintptr_t)option, n, &silent);
+	return trade_goes(t, (char *const *)(uintptr_t)option, n, known);
 }
 
 /* Each combination once: times multiply, and independent errors add as squares. */
@@ -94,6 +93,7 @@ static uint32_t make_guesses(const struct trade *t, struct effect (*effect)[TRAD
 {
 	const struct trade_setting *base = &t->setting[0];
 	uint32_t at[TRADE_FACTORS] = { 0 }, count = 0, f = 0;
+	struct trade_served known = { 0 };
 
 	while (f < t->factors && count < GUESSES) {
 		struct guess *g = &out[count];
@@ -111,7 +111,7 @@ static uint32_t make_guesses(const struct trade *t, struct effect (*effect)[TRAD
 			changed += e->level != 0;
 		}
 		g->error = sqrt(square > 0 ? square : 0);
-		count += changed > 1 && goes_together(t, g->level);
+		count += changed > 1 && goes_together(t, g->level, &known);
 		for (f = 0; f < t->factors && ++at[f] == n[f]; f++)
 			at[f] = 0;
 	}

@@ -73,11 +73,14 @@ static void put_verdicts(struct trade *t, FILE *out)
 	for (uint32_t i = 0; i < t->verdicts; i++) {
 		const struct trade_verdict *v = &t->verdict[i];
 		const char *more = trade_outcome_text(t, v), *again = trade_confirm_text(t, v);
+		const char *caution = v->pick ? trade_caution_text(t, v->pick) : NULL;
 
 		fprintf(out, "<div class=\"rec %s\">", outcome[v->outcome]);
 		put_element(out, "<p>", trade_verdict_text(t, v), "</p>");
 		if (more)
 			put_element(out, "<p class=\"soft\">", more, "</p>");
+		if (caution)
+			put_element(out, "<p><strong>", caution, "</strong></p>");
 		if (again)
 			put_element(out, "<p class=\"soft\">", again, "</p>");
 		if (v->pick)
@@ -128,7 +131,7 @@ static void put_row(struct trade *t, const struct trade_setting *s, FILE *out)
 	put_cell(out, s->front ? 0 : 1, s->front ? "●" : "");
 	fputs("<td title=\"", out);
 	trade_escape(out, trade_command(t, s));
-	put_element(out, "\">", s->label, "</td>");
+	put_element(out, "\">", s->label, s->inexact ? " <span class=\"soft\">inexact</span></td>" : "</td>");
 	for (int v = 0; v < TRADE_VALUES; v++) {
 		const struct trade_range *r = &s->range[v];
 

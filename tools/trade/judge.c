@@ -145,13 +145,16 @@ static uint32_t options_of(const struct trade *t, const struct trade_setting *s)
 	return trade_options(t, s, option);
 }
 
-/* Of settings that take the same time: the more accurate, then the simpler, then the faster. */
+/* Of settings that take the same time: the more accurate, then the one whose hits are exact, then the simpler, then
+ * the faster. */
 static bool better(const struct trade *t, const struct trade_setting *a, const struct trade_setting *b)
 {
 	struct trade_range x = error_of(t, a), y = error_of(t, b);
 
 	if (x.high < TRADE_GAIN * y.low || y.high < TRADE_GAIN * x.low)
 		return x.median < y.median;
+	if (!a->inexact != !b->inexact)
+		return !a->inexact;
 	if (options_of(t, a) != options_of(t, b))
 		return options_of(t, a) < options_of(t, b);
 	return time_of(t, a) < time_of(t, b);

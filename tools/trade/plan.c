@@ -374,6 +374,8 @@ static void make_label(const struct trade *t, struct trade_setting *s)
 enum status trade_setting_add(struct trade *t, const uint16_t *level, enum trade_stage stage)
 {
 	struct trade_setting *s = &t->setting[t->settings];
+	const char *option[TRADE_FACTORS * TRADE_LEVEL_OPTIONS + 1];
+	uint32_t n;
 
 	for (uint32_t i = 0; i < t->settings; i++) {
 		if (!memcmp(t->setting[i].level, level, sizeof(s->level)))
@@ -390,6 +392,12 @@ enum status trade_setting_add(struct trade *t, const uint16_t *level, enum trade
 	s->target = t->repeat;
 	s->key = trade_setting_key(t, s);
 	make_label(t, s);
+	n = trade_options(t, s, option);
+	s->inexact = trade_inexact(t, (char *const *)(uintptr_t)option, n);
+	if (!s->inexact)
+		return STATUS_FAILED;
+	if (!*s->inexact)
+		s->inexact = NULL;
 	t->settings++;
 	return STATUS_OK;
 }

@@ -194,6 +194,18 @@ const char *trade_confirm_text(struct trade *t, const struct trade_verdict *v)
 			  v->bound_holds ? "kept" : "NOT kept");
 }
 
+const char *trade_caution_text(struct trade *t, const struct trade_setting *s)
+{
+	char wrong[64];
+
+	if (!s->inexact)
+		return NULL;
+	if (!(s->checked > 0))
+		return trade_text(t, "Its hits are inexact: %s. How many are wrong here was not checked.", s->inexact);
+	value_with_unit(TRADE_WRONG, s->range[TRADE_WRONG].median, wrong, sizeof(wrong));
+	return trade_text(t, "Its hits are inexact: %s. Wrong here: %s.", s->inexact, wrong);
+}
+
 static const char *reference_note(struct trade *t)
 {
 	const struct trade_reference *r = &t->reference;
@@ -300,7 +312,7 @@ static void print_row(const struct trade *t, const struct trade_setting *s, FILE
 		snprintf(text, sizeof(text), "%s..%s", low, high);
 		fprintf(out, " %-16s", text);
 	}
-	fprintf(out, "  %s\n", s->label);
+	fprintf(out, "  %s%s\n", s->label, s->inexact ? "  (inexact)" : "");
 }
 
 static void print_table(const struct trade *t, FILE *out)
@@ -346,10 +358,13 @@ void trade_print(struct trade *t, FILE *out)
 	for (uint32_t i = 0; i < t->verdicts; i++) {
 		const struct trade_verdict *v = &t->verdict[i];
 		const char *outcome = trade_outcome_text(t, v), *again = trade_confirm_text(t, v);
+		const char *caution = v->pick ? trade_caution_text(t, v->pick) : NULL;
 
 		fprintf(out, "\n%s\n", trade_verdict_text(t, v));
 		if (outcome)
 			fprintf(out, "  %s\n", outcome);
+		if (caution)
+			fprintf(out, "  %s\n", caution);
 		if (again)
 			fprintf(out, "  %s\n", again);
 		if (v->pick)
@@ -375,6 +390,7 @@ static void json_setting(struct trade *t, struct json_writer *j, const struct tr
 	jw_bool(j, "measured", trade_measured(t, s));
 	jw_bool(j, "front", s->front);
 	jw_string(j, "failure", s->failure);
+	jw_string(j, "inexact", s->inexact);
 	if (s->checked > 0)
 		jw_double(j, "hits_checked", s->checked);
 	else if (s->unverified)
@@ -407,6 +423,7 @@ static void json_verdict(struct trade *t, struct json_writer *j, const struct tr
 	jw_string(j, "setting", v->pick ? v->pick->label : NULL);
 	jw_string(j, "command", v->pick ? trade_command(t, v->pick) : NULL);
 	jw_string(j, "text", trade_verdict_text(t, v));
+	jw_string(j, "caution", v->pick ? trade_caution_text(t, v->pick) : NULL);
 	if (v->time_again.count) {
 		jw_object(j, "again");
 		jw_uint(j, "runs", v->time_again.count);

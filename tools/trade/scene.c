@@ -7,7 +7,9 @@
 
 #include <string.h>
 
+#include "accel/load.h"
 #include "base/interrupt.h"
+#include "scene/hash.h"
 #include "scene/scene.h"
 #include "settings.h"
 #include "trade.h"
@@ -50,6 +52,78 @@ enum status trade_allowed(const struct trade *t, char *const *option, uint32_t o
 		st = settings_finish(&s, &t->about.job, d);
 	settings_release(&s);
 	return st;
+}
+
+static bool serves(const struct settings *s)
+{
+	struct accel_choice c;
+	struct diag silent = { 0 };
+	bool yes;
+
+	if (accel_load(&c, s->accel, &silent))
+		return true; /* that is told, once it is measured */
+	yes = !accel_set_precision(&c, s->precision, &silent);
+	accel_unload(&c);
+	return yes;
+}
+
+static bool served(const struct settings *s, struct trade_served *known)
+{
+	uint64_t key = HASH(trade_hash_text(HASH_START, s->accel), s->precision);
+	uint64_t at = key % TRADE_SERVED;
+
+	if (s->precision == ALD_PRECISION_DEFAULT)
+		return true;
+	if (known->key[at] != key) {
+		known->key[at] = key;
+		known->yes[at] = serves(s);
+	}
+	return known->yes[at];
+}
+
+bool trade_goes(const struct trade *t, char *const *option, uint32_t options, struct trade_served *known)
+{
+	struct settings s;
+	struct mem_book book;
+	struct diag silent = { 0 };
+	bool yes;
+
+	mem_book_init(&book, 0);
+	yes = !parse(t, option, options, &s, &book, &silent) && !settings_finish(&s, &t->about.job, &silent) &&
+	      served(&s, known);
+	settings_release(&s);
+	return yes;
+}
+
+/* Only parameters can make an accelerator inexact. */
+static const char *inexact_parameter(struct trade *t, const char *spec)
+{
+	struct accel_choice c;
+	struct diag silent = { 0 };
+	const ald_param *p;
+	const char *text = "";
+
+	if (!strchr(spec, ':') || accel_load(&c, spec, &silent))
+		return text;
+	p = accel_inexact(&c);
+	if (p)
+		text = trade_text(t, "%s of %s (%s)", p->name, c.plugin->name, p->help);
+	accel_unload(&c);
+	return text;
+}
+
+const char *trade_inexact(struct trade *t, char *const *option, uint32_t options)
+{
+	struct settings s;
+	struct mem_book book;
+	struct diag silent = { 0 };
+	const char *text = "";
+
+	mem_book_init(&book, 0);
+	if (!parse(t, option, options, &s, &book, &silent))
+		text = s.precision == ALD_PRECISION_FAST ? "--precision=fast" : inexact_parameter(t, s.accel);
+	settings_release(&s);
+	return text;
 }
 
 /* settings_describe() tells what decides the picture; of the levels that we choose ourselves those of

@@ -83,6 +83,7 @@ struct trade_setting {
 	const char *failure; /* NULL: none */
 	double checked, different; /* hits; checked is 0 where they were not */
 	const char *unverified; /* why they were not */
+	const char *inexact; /* what lets its hits be wrong; NULL: nothing does */
 	struct trade_range range[TRADE_VALUES];
 	bool front; /* nothing is both faster and as accurate */
 };
@@ -189,6 +190,16 @@ enum status trade_level_parse(struct trade *, const char *text, struct trade_lev
 /* scene.c */
 /* The base, with these options after it, is a command line that alidade takes. */
 enum status trade_allowed(const struct trade *, char *const *option, uint32_t options, struct diag *);
+/* And the accelerator serves the precision: it is loaded if that is not the usual one. What was found stays in
+ * *known, which begins as zeroes. */
+enum { TRADE_SERVED = 64 };
+struct trade_served {
+	uint64_t key[TRADE_SERVED]; /* 0: none */
+	bool yes[TRADE_SERVED];
+};
+bool trade_goes(const struct trade *, char *const *option, uint32_t options, struct trade_served *known);
+/* What of these options makes hits inexact, by the accelerator's own word; "": nothing; NULL: no memory. */
+const char *trade_inexact(struct trade *, char *const *option, uint32_t options);
 bool trade_changes_nothing(const struct trade *, const struct trade_level *);
 enum status trade_check_base(struct trade *);
 enum status trade_look(struct trade *);
@@ -270,6 +281,8 @@ uint32_t trade_order(const struct trade *, const struct trade_setting **order);
 const char *trade_verdict_text(struct trade *, const struct trade_verdict *);
 /* Why that is no verdict; NULL: it is one. */
 const char *trade_outcome_text(struct trade *, const struct trade_verdict *);
+/* That its hits are inexact, and how many were wrong; NULL: they are not. */
+const char *trade_caution_text(struct trade *, const struct trade_setting *);
 const char *trade_confirm_text(struct trade *, const struct trade_verdict *); /* NULL: it was not tried */
 /* Is there anything to show in that column? wide: there is room for all. */
 bool trade_shown(const struct trade *, enum trade_value, bool wide);

@@ -142,5 +142,7 @@ void fold_nodes(const struct shader *sh, struct tree *t, uint32_t first, uint32_
 			n->variance = rgb_mul(n->variance, squared(v->clear));
 			n->transmit *= rgb_grey(v->clear);
 		}
+		/* What shares it errs together: the sum's variance may be k times the k variances' sum. */
+		n->variance = rgb_scale(n->variance, n->sharers + 1);
 	}
 }

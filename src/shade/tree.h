@@ -40,6 +40,7 @@ struct node {
 	bool straight; /* went on through a surface without bending: not counted as a level */
 	bool mirrored; /* it or a ray before it was reflected: sees as mirrors do, also through glass */
 	bool clear_sky; /* the background's transparency is wanted (alpha) */
+	uint32_t sharers; /* parts and mirrors of one hit that share it, beyond the first */
 	bool nowhere; /* no ray at all: the camera sees nothing here */
 	uint32_t first_part, part_count; /* no parts: colour is what it is */
 	uint32_t veil; /* what hangs between its origin and its end: 1 + an index, or 0 */

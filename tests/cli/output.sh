@@ -66,6 +66,15 @@ ok "--dry-run" sh -c '"$0" --dry-run scene.pov >dry' "$ALIDADE"
 ok "counts" grep -q '^  sphere  *1$' dry
 ok "--stats" sh -c '"$0" -s 16x12 -a none -o s.ppm --stats scene.pov 2>stats' "$ALIDADE"
 ok "counts camera rays" grep -q '^  camera  *192 ' stats
+cat >mirrors.pov <<'END'
+global_settings { assumed_gamma 1 max_trace_level 14 adc_bailout 0 }
+camera { location 0 look_at <.3, 1, 0> angle 1 }
+#declare T = texture { average texture_map { [1 finish { reflection .5 }] [1 finish { reflection .4 }] } }
+plane { y, -1 texture { T } }
+plane { y, 1 texture { T } }
+END
+ok "mirrors of blended textures" sh -c '"$0" -s 1x1 --aa none -o s.ppm --stats mirrors.pov 2>stats' "$ALIDADE"
+ok "share their rays" grep -q '^  reflected  *26 ' stats
 ok "--stats=FILE" run -s 16x12 -o s.ppm --stats=s.json scene.pov
 keys()
 {

@@ -75,6 +75,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/mirror-bailout.pov \
 	tests/features/mirror-exponent.pov \
 	tests/features/mirrors.pov \
+	tests/features/mirrors-blended.pov \
 	tests/features/normals-function.pov \
 	tests/features/normals-maps.pov \
 	tests/features/normals-own.pov \
@@ -204,6 +205,7 @@ EXTRA_DIST += tests/features/features.sh tests/features/references.sh \
 	tests/features/mirror-bailout.exr \
 	tests/features/mirror-exponent.exr \
 	tests/features/mirrors.exr \
+	tests/features/mirrors-blended.exr \
 	tests/features/normals-function.exr \
 	tests/features/normals-maps.exr \
 	tests/features/normals-own.exr \

@@ -21,7 +21,28 @@ struct spawn {
 	bool straight, clear_sky;
 	double band;
 	uint64_t slot; /* of the parent's random numbers */
+	uint32_t first; /* the hit's first child, of those that may be shared; TREE_NONE: none may */
 };
+
+/*
+ * The child that is this ray already, or TREE_NONE. Textures that are blended and layers that all mirror ask for the
+ * same rays, each for itself, in POV-Ray: trees of 4 to the power of their depth where 2 do. One node serves them all,
+ * with the mean of their weights, so that as much is cut off for faintness as where each goes its way; what it is
+ * inside of is the same, as one hit has one interior.
+ */
+static uint32_t find_node(struct tree *t, const struct spawn *s)
+{
+	for (uint32_t i = s->first; i < t->node.count; i++) {
+		struct node *n = BUF_AT(&t->node, struct node, i);
+
+		if (n->dir.x != s->dir.x || n->dir.y != s->dir.y || n->dir.z != s->dir.z || n->kind != s->kind ||
+		    n->straight != s->straight || n->clear_sky != s->clear_sky || n->band != s->band)
+			continue;
+		n->weight += (s->weight - n->weight) / (++n->sharers + 1);
+		return i;
+	}
+	return TREE_NONE;
+}
 
 /* A child of m's node, or TREE_NONE if it is too deep or too faint. */
 static uint32_t add_node(const struct shader *sh, struct tree *t, const struct met *m,
@@ -40,6 +61,9 @@ static uint32_t add_node(const struct shader *sh, struct tree *t, const struct m
 
 	if (!shade_worth(sh, bounce, level, s->weight))
 		return TREE_NONE;
+	i = find_node(t, s);
+	if (i != TREE_NONE)
+		return i;
 	i = tree_push(t, &t->node, 1);
 	if (i == TREE_NONE)
 		return i;
@@ -123,6 +147,7 @@ static void split(const struct shader *sh, struct tree *t, const struct met *m, 
 
 		one.band = spectrum_band(i, at->bands);
 		one.slot = rng_child(s->slot, i);
+		one.first = TREE_NONE; /* bands stand one after another */
 		refract(&one, ray, m, p.normal, spectrum_ior(at->ratio, at->dispersion, one.band));
 		if (one.kind == NODE_REFLECTED) {
 			p.total_from = p.total_to ? p.total_from : i;
@@ -139,6 +164,7 @@ static void split(const struct shader *sh, struct tree *t, const struct met *m, 
 		uint32_t child;
 
 		total.band = 0;
+		total.first = TREE_NONE;
 		child = add_node(sh, t, m, &total);
 		if (child == TREE_NONE)
 			return;
@@ -148,7 +174,8 @@ static void split(const struct shader *sh, struct tree *t, const struct met *m, 
 }
 
 /* Through the surface: straight on, bent, split, or totally reflected. */
-static void spawn_through(const struct shader *sh, struct tree *t, const struct met *m, uint32_t part)
+static void spawn_through(const struct shader *sh, struct tree *t, const struct met *m, uint32_t part,
+			  uint32_t first)
 {
 	struct part *p = BUF_AT(&t->part, struct part, part);
 	const struct node *n = BUF_AT(&t->node, struct node, m->node);
@@ -158,7 +185,8 @@ static void spawn_through(const struct shader *sh, struct tree *t, const struct 
 			   .inside = n->inside,
 			   .clear_sky = n->clear_sky,
 			   .band = n->band,
-			   .slot = 2 * (uint64_t)(part - m->first_part) };
+			   .slot = 2 * (uint64_t)(part - m->first_part),
+			   .first = first };
 	const struct spawn ray = s;
 	struct crossing at;
 	uint32_t child;
@@ -189,7 +217,7 @@ static void spawn_through(const struct shader *sh, struct tree *t, const struct 
 }
 
 static void spawn_mirror(const struct shader *sh, struct tree *t, const struct met *m, uint32_t mirror,
-			 uint32_t slot)
+			 uint32_t slot, uint32_t first)
 {
 	struct mirror *r = BUF_AT(&t->mirror, struct mirror, mirror);
 	const struct node *n = BUF_AT(&t->node, struct node, m->node);
@@ -198,7 +226,8 @@ static void spawn_mirror(const struct shader *sh, struct tree *t, const struct m
 			   .kind = NODE_REFLECTED,
 			   .inside = n->inside,
 			   .band = n->band,
-			   .slot = 2 * (uint64_t)slot + 1 };
+			   .slot = 2 * (uint64_t)slot + 1,
+			   .first = first };
 	double scale;
 	uint32_t child;
 
@@ -216,21 +245,24 @@ void shade_spawn(const struct shader *sh, struct tree *t)
 {
 	for (uint32_t i = 0; i < t->met.count && !t->no_memory; i++) {
 		const struct met m = *BUF_AT(&t->met, struct met, i);
-		double bailout = shade_bailout(sh, BUF_AT(&t->node, struct node, m.node)->bounce);
+		const struct node *n = BUF_AT(&t->node, struct node, m.node);
+		double bailout = shade_bailout(sh, n->bounce);
 		uint32_t slot = 0;
+		/* What the camera itself sees is traced as in POV-Ray. */
+		uint32_t first = n->kind == NODE_CAMERA ? TREE_NONE : t->node.count;
 
 		for (uint32_t j = m.first_part; j < m.first_part + m.part_count; j++) {
 			const struct part *p = BUF_AT(&t->part, struct part, j);
 
 			if (p->clear > bailout)
-				spawn_through(sh, t, &m, j);
+				spawn_through(sh, t, &m, j, first);
 			p = BUF_AT(&t->part, struct part, j);
 			if (p->total) {
 				BUF_AT(&t->part, struct part, j)->mirror_count = 0;
 				continue;
 			}
 			for (uint32_t k = 0; k < p->mirror_count; k++)
-				spawn_mirror(sh, t, &m, p->first_mirror + k, slot++);
+				spawn_mirror(sh, t, &m, p->first_mirror + k, slot++, first);
 		}
 		indirect_spawn(sh, t, &m);
 	}

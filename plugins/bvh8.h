@@ -86,6 +86,7 @@ struct isa {
 			 uint32_t hints);
 };
 
+extern const uint8_t bvh8_lanes[256][8]; /* of each set of lanes, which they are, the last first */
 extern const struct isa bvh8_plain, bvh8_sse, bvh8_avx2, bvh8_avx512;
 
 enum bvh8_param { P_SPLIT, P_LEAF, P_ISA, P_INTERLEAVE };

@@ -72,12 +72,12 @@ V void beam_limit(struct beam *b)
 V void beam_begin(const ald_accel *a, struct beam *b, const struct lot *l, unsigned i, const struct batch *s,
 		  uint32_t index)
 {
-	uint32_t kz = (l->main[1] >> i & 1) + 2 * (l->main[2] >> i & 1), kx = kz == 2 ? 0 : kz + 1;
+	uint32_t kz = (uint32_t)(l->main[1] >> i & 1) + 2 * (uint32_t)(l->main[2] >> i & 1), kx = kz == 2 ? 0 : kz + 1;
 	uint32_t ky = kx == 2 ? 0 : kx + 1;
 	float far = 1 + 4 * l->pad[i] / EDGE_ERROR;
 
 	for (unsigned k = 0; k < 3; k++) {
-		uint32_t down = l->sign[k] >> i & 1;
+		uint32_t down = (uint32_t)(l->sign[k] >> i & 1);
 
 		b->inverse[k] = l->inverse[k][i];
 		b->near_o[k] = l->near_o[k][i];
@@ -426,6 +426,20 @@ static __attribute__((noinline)) int beam_odd(const ald_accel *a, ald_query *q, 
 			found |= a->prims->intersect(a->prims, id, q, ray, hit);
 	}
 	return found;
+}
+
+V void lot_odd(const ald_accel *a, ald_query *q, const struct batch *b, const struct lot *l, int any)
+{
+	for (uint64_t odd = l->odd; odd; odd &= odd - 1) {
+		uint32_t i = l->index[__builtin_ctzll(odd)];
+		const ald_ray *r = &b->ray[i];
+		ald_hit own = { .t = r->tmax, .prim = ALD_NONE };
+
+		if (any)
+			b->hidden[i] = (uint8_t)beam_odd(a, q, r, &own, 1);
+		else
+			beam_odd(a, q, r, &b->hit[i], 0);
+	}
 }
 
 #endif

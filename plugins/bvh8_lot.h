@@ -10,8 +10,9 @@
 #include "bvh8.h"
 #include "bvh8_vecd.h"
 
-#define LOT 16u
+#define LOT 64u
 #define DEPTH_ERROR (4 * EDGE_ERROR) /* of a distance along the main axis */
+#define DEPTH_RELATIVE 0x1p-19f
 
 struct lot {
 	/* plane * inverse + near_o is the entrance */
@@ -22,8 +23,9 @@ struct lot {
 	float first[LOT], last[LOT]; /* a t between counts */
 	float pad[LOT];
 	double shift[LOT], tscale[LOT]; /* t of the walk = (t - shift) * tscale */
-	uint32_t sign[3], main[3]; /* bits of lanes: the direction goes down; this axis is kz */
-	uint32_t live, odd; /* those that meet the scene's box, and, of them, that no triangle stands */
+	uint64_t sign[3], main[3]; /* bits of lanes: the direction goes down; this axis is kz */
+	uint64_t live, odd; /* those that meet the scene's box, and, of them, that no triangle stands */
+	uint32_t index[LOT]; /* of the batch */
 } __attribute__((aligned(64)));
 
 struct batch { /* the rays of a call */
@@ -84,16 +86,16 @@ V void lot_doubles(const ald_accel *a, struct lot *l, unsigned i, const dv x[8],
 			   dv_pick(down, dv_add(x[k], pad), dv_sub(x[k], pad)));
 		t0 = dv_max(dv_mul(n, inv[k]), t0);
 		t1 = dv_min(dv_mul(f, inv[k]), t1);
-		l->sign[k] |= dm_bits(down) << i;
+		l->sign[k] |= (uint64_t)dm_bits(down) << i;
 	}
 	main_axis(size, main);
 	for (unsigned k = 0; k < 3; k++)
-		l->main[k] |= dm_bits(main[k]) << i;
+		l->main[k] |= (uint64_t)dm_bits(main[k]) << i;
 	up = dv_pick(main[0], size[0], dv_pick(main[1], size[1], size[2]));
 	fine = dm_and(fine, dv_gt(up, dv_all(0x1p-400)));
 	up = dv_mul(dv_power(up), dv_all(2));
-	l->live |= (~dm_bits(dv_gt(t0, t1)) & ((1u << DW) - 1)) << i;
-	l->odd |= (~dm_bits(fine) & ((1u << DW) - 1)) << i;
+	l->live |= (uint64_t)(~dm_bits(dv_gt(t0, t1)) & ((1u << DW) - 1)) << i;
+	l->odd |= (uint64_t)(~dm_bits(fine) & ((1u << DW) - 1)) << i;
 	tscale = dv_mul(up, dv_all(a->scale));
 	dv_store(l->shift + i, t0);
 	dv_store(l->tscale + i, tscale);
@@ -135,11 +137,9 @@ V void lot_singles(const ald_accel *a, struct lot *l, unsigned i)
 	}
 }
 
-/* The rays from the from-th on. */
-V void lot_fill(const ald_accel *a, struct lot *l, const struct batch *b, uint32_t from)
+/* Of the n rays of index[]. */
+V void lot_fill(const ald_accel *a, struct lot *l, const struct batch *b, uint32_t n)
 {
-	uint32_t n = b->n - from < LOT ? b->n - from : LOT;
-
 	l->live = l->odd = 0;
 	for (unsigned k = 0; k < 3; k++)
 		l->sign[k] = l->main[k] = 0;
@@ -149,7 +149,7 @@ V void lot_fill(const ald_accel *a, struct lot *l, const struct batch *b, uint32
 		dv x[8], last;
 
 		for (unsigned j = 0; j < DW; j++) {
-			uint32_t r = from + (i + j < n ? i + j : n - 1);
+			uint32_t r = l->index[i + j < n ? i + j : n - 1];
 
 			at[j] = &b->ray[r].org.x;
 			t[j] = b->hit ? b->hit[r].t : 0;
@@ -160,7 +160,7 @@ V void lot_fill(const ald_accel *a, struct lot *l, const struct batch *b, uint32
 	}
 	for (unsigned i = 0; i < n; i += 8)
 		lot_singles(a, l, i);
-	l->live &= n < LOT ? (1u << n) - 1 : (1u << LOT) - 1;
+	l->live &= n < LOT ? ((uint64_t)1 << n) - 1 : UINT64_MAX;
 	l->odd &= l->live;
 }
 

@@ -11,6 +11,8 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "bvh8.h"
+
 #if ISA_LEVEL > 0
 #include <immintrin.h>
 #endif
@@ -386,7 +388,67 @@ V uint32_t f8_order(f8 from, f8 to, const uint32_t *child, float *enter, uint32_
 	return n;
 }
 
-/* The same, without the distances; of each its lane, and first. */
+/* Where from <= to, bit too. */
+V __m256i f8_mark(__m256i marks, f8 from, f8 to, uint32_t bit)
+{
+#if ISA_LEVEL >= 3
+	__mmask8 in = _mm256_cmp_ps_mask(from, to, _CMP_LE_OQ);
+
+	return _mm256_mask_or_epi32(marks, in, marks, _mm256_set1_epi32((int)bit));
+#else
+	__m256i in = _mm256_castps_si256(_mm256_cmp_ps(from, to, _CMP_LE_OQ));
+
+	return _mm256_or_si256(marks, _mm256_and_si256(in, _mm256_set1_epi32((int)bit)));
+#endif
+}
+
+/* The least, of those from that are <= to. */
+V f8 f8_first(f8 least, f8 from, f8 to)
+{
+#if ISA_LEVEL >= 3
+	return _mm256_mask_min_ps(least, _mm256_cmp_ps_mask(from, to, _CMP_LE_OQ), least, from);
+#else
+	return _mm256_min_ps(least, _mm256_blendv_ps(_mm256_set1_ps(INFINITY), from, _mm256_cmp_ps(from, to, _CMP_LE_OQ)));
+#endif
+}
+
+V void f8_put(uint32_t *to, __m256i x, __m256i order)
+{
+	_mm256_storeu_si256((__m256i *)to, _mm256_permutevar8x32_epi32(x, order));
+}
+
+/* Children that have a mark are written, the first one last, with both words of it; there is room for eight.
+ * How many. */
+V uint32_t f8_keep(__m256i some, __m256i more, const uint32_t *child, uint32_t *some_to, uint32_t *more_to,
+		   uint32_t *ref, uint32_t *box)
+{
+	__m256i none = _mm256_cmpeq_epi32(_mm256_or_si256(some, more), _mm256_setzero_si256());
+	uint32_t bits = ~(uint32_t)_mm256_movemask_ps(_mm256_castsi256_ps(none)) & 255;
+	__m256i order = _mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i *)bvh8_lanes[bits]));
+
+	f8_put(some_to, some, order);
+	f8_put(more_to, more, order);
+	f8_put(ref, _mm256_load_si256((const __m256i *)child), order);
+	_mm256_storeu_si256((__m256i *)box, _mm256_set1_epi32(-1));
+	return (uint32_t)__builtin_popcount(bits);
+}
+
+/* The same in the order of where they are entered, the nearest last. */
+V uint32_t f8_sort(f8 enter, __m256i some, __m256i more, const uint32_t *child, uint32_t *some_to, uint32_t *more_to,
+		   uint32_t *ref, uint32_t *box, float *enter_to)
+{
+	uint32_t n;
+	__m256i x = f8_sorted(enter, _mm256_set1_ps(0x1p100f), &n);
+
+	f8_put(some_to, some, x);
+	f8_put(more_to, more, x);
+	f8_put(ref, _mm256_load_si256((const __m256i *)child), x);
+	_mm256_storeu_si256((__m256i *)box, _mm256_set1_epi32(-1));
+	_mm256_storeu_si256((__m256i *)enter_to, _mm256_andnot_si256(_mm256_set1_epi32(7), x));
+	return n;
+}
+
+/* As f8_order(), without the distances; of each its lane, and first. */
 V uint32_t f8_order_lanes(f8 from, f8 to, uint32_t first, uint32_t *lane)
 {
 	uint32_t n;
@@ -439,10 +501,11 @@ V uint32_t f16_le(f16 a, f16 b) { return _mm512_cmp_ps_mask(a, b, _CMP_LE_OQ); }
 V f16 f16_pick(uint32_t bits, f16 a, f16 b) { return _mm512_mask_blend_ps((__mmask16)bits, b, a); }
 V float f16_least(f16 a) { return _mm512_reduce_min_ps(a); }
 V float f16_most(f16 a) { return _mm512_reduce_max_ps(a); }
-/* The lanes of bits, and which they are, together; there is room for all. */
-V void f16_pack(float *p, uint32_t *lane, f16 a, uint32_t bits)
+/* The lanes of bits, and which they are, counted from first, together; there is room for all. */
+V void f16_pack(float *p, uint32_t *lane, f16 a, uint32_t bits, uint32_t first)
 {
-	const __m512i lanes = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+	const __m512i row = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+	const __m512i lanes = _mm512_add_epi32(row, _mm512_set1_epi32((int)first));
 
 	_mm512_storeu_ps(p, _mm512_maskz_compress_ps((__mmask16)bits, a));
 	_mm512_storeu_si512(lane, _mm512_maskz_compress_epi32((__mmask16)bits, lanes));
@@ -503,8 +566,8 @@ V float f16_most(f16 x)
 
 	return -f4_least(_mm_min_ps(_mm256_castps256_ps128(m), _mm256_extractf128_ps(m, 1)));
 }
-/* The lanes of bits, and which they are, together; there is room for all. */
-V void f16_pack(float *p, uint32_t *lane, f16 x, uint32_t bits)
+/* The lanes of bits, and which they are, counted from first, together; there is room for all. */
+V void f16_pack(float *p, uint32_t *lane, f16 x, uint32_t bits, uint32_t first)
 {
 	float all[16] __attribute__((aligned(64)));
 
@@ -513,7 +576,7 @@ V void f16_pack(float *p, uint32_t *lane, f16 x, uint32_t bits)
 		unsigned i = (unsigned)__builtin_ctz(bits);
 
 		*p++ = all[i];
-		*lane++ = i;
+		*lane++ = first + i;
 	}
 }
 #endif

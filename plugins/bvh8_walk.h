@@ -9,7 +9,7 @@
 #ifndef BVH8_WALK_H
 #define BVH8_WALK_H
 
-#include "bvh8_pack.h"
+#include "bvh8_herd.h"
 #include "seen.h"
 
 /* ---- counting ---- */
@@ -44,8 +44,6 @@ V void count_step(const ald_accel *a, struct seen *s, uint32_t ref, int rest, ui
 	}
 }
 
-#define TOGETHER 3u /* rays of a packet that enter a box, on average, or it does not pay */
-
 /* ---- handing out rays ---- */
 
 struct source {
@@ -53,35 +51,30 @@ struct source {
 	ald_query *q;
 	struct asked asked;
 	struct lot lot;
-	uint32_t from, next; /* of the batch: the lot's first, and what comes behind the lot */
-	uint32_t left; /* lanes of the lot */
+	uint32_t next; /* of the batch: what comes behind the lot */
+	uint64_t left; /* lanes of the lot */
 };
 
 V void source_open(struct source *s, ald_query *q, const struct batch *b)
 {
 	s->batch = *b;
 	s->q = q;
-	s->asked.n = s->next = s->left = 0;
+	s->asked.n = s->next = 0;
+	s->left = 0;
 }
 
 /* A lot more; 0: there is none. */
 V int source_fill(const ald_accel *a, struct source *s, int any)
 {
-	if (s->next >= s->batch.n)
-		return 0;
-	s->from = s->next;
-	s->next += LOT;
-	lot_fill(a, &s->lot, &s->batch, s->from);
-	for (uint32_t odd = s->lot.odd; odd; odd &= odd - 1) {
-		uint32_t i = s->from + (uint32_t)__builtin_ctz(odd);
-		const ald_ray *r = &s->batch.ray[i];
-		ald_hit own = { .t = r->tmax, .prim = ALD_NONE };
+	uint32_t n = s->batch.n - s->next < LOT ? s->batch.n - s->next : LOT;
 
-		if (any)
-			s->batch.hidden[i] = (uint8_t)beam_odd(a, s->q, r, &own, 1);
-		else
-			beam_odd(a, s->q, r, &s->batch.hit[i], 0);
-	}
+	if (!n)
+		return 0;
+	for (uint32_t i = 0; i < n; i++)
+		s->lot.index[i] = s->next + i;
+	s->next += n;
+	lot_fill(a, &s->lot, &s->batch, n);
+	lot_odd(a, s->q, &s->batch, &s->lot, any);
 	s->left = s->lot.live & ~s->lot.odd;
 	return 1;
 }
@@ -94,9 +87,9 @@ V int source_next(const ald_accel *a, struct source *s, struct beam *b, int any)
 		if (!source_fill(a, s, any))
 			return 0;
 	}
-	i = (unsigned)__builtin_ctz(s->left);
+	i = (unsigned)__builtin_ctzll(s->left);
 	s->left &= s->left - 1;
-	beam_begin(a, b, &s->lot, i, &s->batch, s->from + i);
+	beam_begin(a, b, &s->lot, i, &s->batch, s->lot.index[i]);
 	return 1;
 }
 
@@ -234,34 +227,7 @@ V void crew_work(const ald_accel *a, struct crew *c, int any)
 
 /* ---- a batch ---- */
 
-/* Where rays are said to be coherent: a lot of them goes together, until it is seen that too few of a lot do. */
-V void serve_packets(const ald_accel *a, struct source *s, int any)
-{
-#if ISA_LEVEL >= 2
-	struct pack p;
-
-	p.lot = &s->lot;
-	p.boxes = p.entered = 0;
-	while (p.entered >= TOGETHER * p.boxes && source_fill(a, s, any)) {
-		struct beam b;
-
-		p.from = s->from;
-		if (s->left && lot_agrees(&s->lot, s->left)) {
-			pack_walk(a, &s->batch, &s->asked, s->q, &p, s->left, any);
-			s->left = 0;
-		}
-		while (s->left) {
-			source_next(a, s, &b, any);
-			beam_walk(a, &s->batch, &s->asked, s->q, &b, any);
-		}
-	}
-#else
-	(void)a, (void)s, (void)any;
-#endif
-}
-
-static __attribute__((noinline)) void serve_many(const ald_accel *a, ald_query *q, const struct batch *b,
-						 uint32_t hints, int any)
+static __attribute__((noinline)) void serve_many(const ald_accel *a, ald_query *q, const struct batch *b, int any)
 {
 	struct crew c;
 
@@ -271,21 +237,25 @@ static __attribute__((noinline)) void serve_many(const ald_accel *a, ald_query *
 	c.size[0] = sizeof(*a->node);
 	c.size[1] = sizeof(*a->block);
 	memset(c.n, 0, sizeof(c.n));
-	if (hints & ALD_COHERENT)
-		serve_packets(a, &c.source, any);
 	crew_work(a, &c, any);
 	ask(a, b, &c.source.asked);
 }
 
-V void serve(const ald_accel *a, ald_query *q, const struct batch *b, uint32_t hints, int any)
+V void serve(const ald_accel *a, ald_query *q, const struct batch *b, int any)
 {
 	struct source s;
 	struct beam beam;
 
 	if (a->root == EMPTY || !b->n)
 		return;
+#if ISA_LEVEL >= 2
+	if (b->n > 1 && a->interleave == INTERLEAVE_MAX && !q->count) {
+		serve_herds(a, q, b, any);
+		return;
+	}
+#endif
 	if (b->n > 1 && a->interleave > 1 && !q->count) {
-		serve_many(a, q, b, hints, any);
+		serve_many(a, q, b, any);
 		return;
 	}
 	source_open(&s, q, b);
@@ -303,7 +273,8 @@ static void nearest(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hi
 {
 	struct batch b = { ray, hit, NULL, n };
 
-	serve(a, q, &b, hints, 0);
+	(void)hints;
+	serve(a, q, &b, 0);
 }
 
 static void occluded(const ald_accel *a, ald_query *q, const ald_ray *ray, uint8_t *hidden, uint32_t n,
@@ -312,7 +283,8 @@ static void occluded(const ald_accel *a, ald_query *q, const ald_ray *ray, uint8
 	struct batch b = { ray, NULL, hidden, n };
 
 	memset(hidden, 0, n);
-	serve(a, q, &b, hints, 1);
+	(void)hints;
+	serve(a, q, &b, 1);
 }
 
 const struct isa ISA_NAME = { ISA_TEXT, nearest, occluded };

@@ -97,7 +97,7 @@ bool engine_open(struct bench *b, const char *name)
 	memset(e, 0, sizeof(*e));
 	snprintf(e->name, sizeof(e->name), "%s", name);
 	for (unsigned k = 0; k < KINDS; k++)
-		e->races[k] = true;
+		e->races[k] = !b->leaves_out[k];
 	e->peer = peer_parse(name, &e->config, &e->way);
 	e->config.threads = b->threads;
 	if (!e->peer && !load_accel(e))
@@ -279,7 +279,7 @@ void race_run(struct bench *b)
 				uint32_t at = (i + turn) % (b->engines + 1);
 				struct engine *e = &b->engine[at < b->engines ? at : 0];
 
-				if (!e->races[k])
+				if (!e->races[k] || b->leaves_out[k])
 					continue;
 				(at < b->engines ? e->seconds[k] : b->again[k])[r] = engine_fire(b, e, k, 1);
 			}
@@ -412,7 +412,7 @@ void race_screen(struct bench *b)
 	}
 	engine_open(b, "embree1");
 	for (unsigned k = 0; k < KINDS; k++) {
-		for (unsigned n = 0; n < 2 * KEPT; n++) {
+		for (unsigned n = 0; n < 2 * KEPT && !b->leaves_out[k]; n++) {
 			if (best[k][n / KEPT][n % KEPT].seconds > 0)
 				enter(b, &best[k][n / KEPT][n % KEPT], k);
 		}

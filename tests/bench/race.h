@@ -43,6 +43,7 @@ struct bench {
 	uint32_t sampled, strays; /* of it, rays asked of brute force, and those that it answered otherwise */
 	ald_hit hit[THREADS][BATCH];
 	uint8_t hidden[THREADS][BATCH];
+	bool leaves_out[KINDS]; /* not raced */
 	bool counts, all, embree;
 	double load[2], others; /* the machine's, before and after; share of it that others used meanwhile */
 };

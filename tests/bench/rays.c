@@ -9,6 +9,7 @@
  *	-n ROUNDS	7
  *	-s WIDTH	of the picture whose camera rays are traced, 512; three quarters as high
  *	-t THREADS	1. Counted is the processor's time with one thread, the clock's with more
+ *	-k KIND,..	of rays: camera, shadow, bounce, shuffled, ao; all
  *	-a		all: every world, instruction set and quality of Embree's, huge pages
  *	-b BUILDS	of each engine that is named, in turns, 3
  *	-c		counters, too: steps a ray
@@ -172,6 +173,26 @@ static void json_machine(struct json_writer *j)
 	jw_uint(j, "cores", pool_cores());
 }
 
+static bool kinds_of(struct bench *b, char *list)
+{
+	char *left = NULL;
+
+	for (unsigned k = 0; k < KINDS; k++)
+		b->leaves_out[k] = true;
+	for (char *w = strtok_r(list, ",", &left); w; w = strtok_r(NULL, ",", &left)) {
+		unsigned k = 0;
+
+		while (k < KINDS && strcmp(w, kind_name[k]))
+			k++;
+		if (k == KINDS) {
+			fprintf(stderr, "rays: no kind of rays is called %s\n", w);
+			return false;
+		}
+		b->leaves_out[k] = false;
+	}
+	return true;
+}
+
 int main(int argc, char **argv)
 {
 	static char *usual[] = { "bvh8", "peers" };
@@ -187,7 +208,7 @@ int main(int argc, char **argv)
 	b->threads = 1;
 	b->engine = calloc(ENGINES, sizeof(*b->engine));
 	b->again = calloc(KINDS, sizeof(*b->again));
-	while ((c = getopt(argc, argv, "n:s:m:t:j:b:ac")) != -1) {
+	while ((c = getopt(argc, argv, "n:s:m:t:j:b:k:ac")) != -1) {
 		if (c == 'n')
 			b->rounds = (uint32_t)atoi(optarg);
 		else if (c == 's')
@@ -200,6 +221,10 @@ int main(int argc, char **argv)
 			b->counts = true;
 		else if (c == 'b')
 			b->builds = (uint32_t)atoi(optarg);
+		else if (c == 'k' && !kinds_of(b, optarg))
+			return 2;
+		else if (c == 'k')
+			continue;
 		else if (c == 't')
 			b->threads = (uint32_t)atoi(optarg);
 		else if (c == 'j')

@@ -19,17 +19,23 @@
 #define PENDING 8u
 #define DONE EMPTY /* the next step of a walk that has ended */
 
+struct aim { /* a ray, as triangles see it */
+	/* By kx, ky, kz; distances along kz, those called z, count the way the ray goes. */
+	float o[3], shear[2], side;
+	float zfar; /* nothing beyond counts */
+	float before, sure_lo, sure_hi; /* nothing before counts; a z between is of a t that counts */
+	float zerror, pad; /* how far a z may be off, where the ray begins */
+	float grow, reach; /* of slacks, for rays from far away; twice a triangle's extent is slack * reach */
+	float back; /* t = z back */
+	uint32_t axis[3];
+};
+
 struct beam {
 	float inverse[3], near_o[3], far_o[3]; /* plane * inverse + near_o is the entrance */
 	uint32_t near[3], far[3]; /* which planes of a node */
 	float tfar; /* nothing beyond counts */
-	/* By kx, ky, kz; distances along kz, those called z, count the way the ray goes. */
-	float o[3], shear[2], side;
-	float zfar, zerror; /* zfar: as tfar, and zerror more */
-	float sure_lo, sure_hi; /* a z between is of a t that counts */
-	float depth, back; /* z = t depth, t = z back */
-	float grow, reach; /* of slacks, for rays from far away; twice a triangle's extent is slack * reach */
-	uint32_t axis[3];
+	struct aim aim;
+	float depth; /* z = t depth */
 	uint32_t pending; /* triangles that may be hit, to be asked about */
 	uint32_t id[PENDING + SEATS];
 	float low[PENDING + SEATS]; /* no t of theirs is less */
@@ -48,7 +54,7 @@ struct beam {
 V void beam_cut(struct beam *b, float t)
 {
 	b->tfar = t;
-	b->zfar = t * b->depth + b->zerror;
+	b->aim.zfar = t * b->depth + b->aim.zerror * (1 + DEPTH_ERROR / DEPTH_LEAST);
 }
 
 /* Nothing beyond a t counts. */
@@ -74,7 +80,8 @@ V void beam_begin(const ald_accel *a, struct beam *b, const struct lot *l, unsig
 {
 	uint32_t kz = (uint32_t)(l->main[1] >> i & 1) + 2 * (uint32_t)(l->main[2] >> i & 1), kx = kz == 2 ? 0 : kz + 1;
 	uint32_t ky = kx == 2 ? 0 : kx + 1;
-	float far = 1 + 4 * l->pad[i] / EDGE_ERROR;
+	float far = 1 + 4 * l->pad[i] / EDGE_ERROR, first, last;
+	struct aim *aim = &b->aim;
 
 	for (unsigned k = 0; k < 3; k++) {
 		uint32_t down = (uint32_t)(l->sign[k] >> i & 1);
@@ -85,22 +92,26 @@ V void beam_begin(const ald_accel *a, struct beam *b, const struct lot *l, unsig
 		b->near[k] = 2 * k + down;
 		b->far[k] = 2 * k + 1 - down;
 	}
-	b->side = l->sign[kz] >> i & 1 ? -1.0f : 1.0f;
-	b->axis[0] = kx;
-	b->axis[1] = ky;
-	b->axis[2] = kz;
-	b->o[0] = l->o[kx][i];
-	b->o[1] = l->o[ky][i];
-	b->o[2] = l->o[kz][i] * b->side;
-	b->shear[0] = l->shear[0][i];
-	b->shear[1] = l->shear[1][i];
+	aim->side = l->sign[kz] >> i & 1 ? -1.0f : 1.0f;
+	aim->axis[0] = kx;
+	aim->axis[1] = ky;
+	aim->axis[2] = kz;
+	aim->o[0] = l->o[kx][i];
+	aim->o[1] = l->o[ky][i];
+	aim->o[2] = l->o[kz][i] * aim->side;
+	aim->shear[0] = l->shear[0][i];
+	aim->shear[1] = l->shear[1][i];
 	b->depth = l->depth[i];
-	b->back = b->inverse[kz] * b->side;
-	b->zerror = a->fast ? 0 : far * DEPTH_ERROR;
-	b->grow = a->fast ? 0 : far * far;
-	b->reach = 1 / (6 * EDGE_ERROR) / (far * far);
-	b->sure_lo = l->first[i] * b->depth + b->zerror;
-	b->sure_hi = l->last[i] * b->depth - b->zerror;
+	aim->back = b->inverse[kz] * aim->side;
+	aim->pad = l->pad[i];
+	aim->zerror = a->fast ? 0 : depth_error(l->pad[i]);
+	aim->grow = a->fast ? 0 : far * far;
+	aim->reach = 1 / (6 * EDGE_ERROR) / (far * far);
+	first = l->first[i] * b->depth;
+	last = l->last[i] * b->depth;
+	aim->before = first - fabsf(first) * DEPTH_LEAST;
+	aim->sure_lo = first + fabsf(first) * DEPTH_LEAST;
+	aim->sure_hi = last - fabsf(last) * DEPTH_LEAST;
 	beam_cut(b, l->tfar[i]);
 	b->pending = b->found = b->asked = 0;
 	b->index = index;
@@ -144,23 +155,89 @@ V void beam_node(const ald_accel *a, struct beam *b)
 }
 
 struct meeting { /* of a ray with the triangles of a block */
-	f4 a, b, c, az, bz, cz, slack; /* weights of the corners; z of the corners */
-	f4 zmin, wide; /* wide: the largest sheared coordinate */
-	uint32_t maybe; /* the lanes that may be hit before tfar */
+	f4 a, b, c, az, bz, cz; /* weights of the corners; z of the corners */
+	f4 low, high; /* bounds on the z of a hit */
+	uint32_t maybe, sure; /* the lanes that may be hit before zfar; that are, at a t that counts */
 };
 
-V void beam_block(const struct beam *b, const struct block *n, struct meeting *m)
+/* Lanes where the triangle is surely behind where the ray begins, if its line meets it: mostly the one that the ray
+ * starts on, of which weights don't tell. to: from there to the first corners; sum: of the weights.
+ *
+ * N = (e x g) . q, of two edges and the way to a corner, is z times the sum of the weights, with the other sign.
+ * Edges are off by 2^-24 and 2^-24 of what they are, so is q, and by the ray's pad. With s the largest component of
+ * an edge, Q that of q, the normal's are off by less than 4 s 2^-24 (1 + s) + 6 s s 2^-24, and N, with its own
+ * roundings, by less than 2^-24 (12 s Q + 6 s s + 54 s s Q) + 6 s s pad. A slack of more than 12 EDGE_ERROR s bounds
+ * s. Where the line meets the triangle, the sum of the weights has its sign if it is more than 3 slack. */
+V uint32_t block_behind(const struct aim *t, const struct block *n, const f4 to[3], f4 sum)
+{
+	uint32_t x = t->axis[0], y = t->axis[1], z = t->axis[2];
+	f4 side = f4_all(t->side), ax = f4_load(n->v[0][x]), ay = f4_load(n->v[0][y]), az = f4_load(n->v[0][z]);
+	f4 ex = f4_sub(f4_load(n->v[1][x]), ax), ey = f4_sub(f4_load(n->v[1][y]), ay);
+	f4 ez = f4_mul(f4_sub(f4_load(n->v[1][z]), az), side), gx = f4_sub(f4_load(n->v[2][x]), ax);
+	f4 gy = f4_sub(f4_load(n->v[2][y]), ay), gz = f4_mul(f4_sub(f4_load(n->v[2][z]), az), side);
+	f4 nx = f4_mul_sub(ey, gz, f4_mul(ez, gy)), ny = f4_mul_sub(ez, gx, f4_mul(ex, gz));
+	f4 nz = f4_mul_sub(ex, gy, f4_mul(ey, gx)), slack = f4_load(n->slack);
+	f4 s = f4_mul(slack, f4_all(1 / (11 * EDGE_ERROR))), up, e, most;
+
+	slack = f4_mul(slack, f4_all(3 * t->grow));
+	most = f4_max(f4_max(f4_size(to[0]), f4_size(to[1])), f4_size(to[2]));
+	up = f4_mul_add(nx, to[0], f4_mul_add(ny, to[1], f4_mul(nz, to[2])));
+	e = f4_mul_add(s, f4_all(0x1p-18f), f4_all(0x1p-20f));
+	e = f4_mul(f4_mul_add(most, e, f4_mul(s, f4_all(0x1p-21f + 8 * t->pad))), s);
+	return (f4_le(e, up) & f4_le(slack, sum)) | (f4_le(e, f4_negate(up)) & f4_le(sum, f4_negate(slack)));
+}
+
+/* Bounds on the z of hits, and which lanes are hit for sure.
+ *
+ * Where a coordinate is wider than a hit's can be, slack is no bound.
+ * z is the mean of the corners' by weights that are off by slack each; with S the spread of the corners, D the
+ * sum of the weights, it is off by at most the lesser of 3 slack S / (D - 3 slack) and S, and by error: corners and
+ * origin are off by 2^-25 each, and the ray's pad, and their difference by 2^-24 of itself, which counts twice, once
+ * in S; the mean takes six roundings, 3 slack S / (D - 3 slack) where it is less than S less than 2^-21 S: with the
+ * corners' z of at most Z, in all 2^-23 + 2 pad + 2^-19 Z. The kernel's own t is off by less than 9 u of n . q over n . d,
+ * u = 2^-53, so its z, with D > 3 slack > 36 EDGE_ERROR s, by less than 2^19 u s Q, Q how far away the ray's own origin
+ * is: 2^14 pad at most, as pad holds 64 u Q. */
+V void block_bounds(const struct aim *t, const struct block *n, struct meeting *m, const f4 to[3], f4 zmin, f4 zmax,
+		    f4 wide, f4 slack, f4 least, f4 most)
+{
+	f4 sum = f4_add(f4_add(m->a, m->b), m->c), three = f4_mul(slack, f4_all(3));
+	f4 z = f4_mul_add(m->a, m->az, f4_mul_add(m->b, m->bz, f4_mul(m->c, m->cz))), off, error;
+
+	error = f4_mul_add(f4_max(f4_size(zmin), f4_size(zmax)), f4_all(DEPTH_RELATIVE), f4_all(t->zerror));
+	off = f4_mul(three, f4_sub(zmax, zmin));
+	off = f4_div(off, f4_max(f4_sub(f4_size(sum), three), f4_all(0x1p-100f)));
+	off = f4_add(off, error);
+	z = f4_div(z, sum);
+	m->sure = f4_le(slack, least) | f4_le(most, f4_negate(slack));
+	m->sure &= f4_le(wide, f4_mul(slack, f4_all(t->reach)));
+	zmin = f4_sub(zmin, error);
+	zmax = f4_add(zmax, error);
+	m->low = f4_max(f4_pick(m->sure, f4_sub(z, off), zmin), zmin);
+	m->high = f4_min(f4_pick(m->sure, f4_add(z, off), zmax), zmax);
+	m->maybe &= f4_le(f4_all(t->before), m->high);
+	m->sure &= f4_le(m->high, f4_all(t->sure_hi)) & f4_le(f4_all(t->sure_lo), m->low) & m->maybe;
+	if (m->maybe & ~m->sure & f4_le(m->low, f4_all(t->sure_lo)))
+		m->maybe &= ~block_behind(t, n, to, sum) | m->sure;
+}
+
+/* early: most often nothing may be hit, and then it ends here. */
+V void block_meet(const ald_accel *a, const struct aim *t, const struct block *n, const ald_ray *ray,
+		  struct meeting *m, int early)
 {
 	const float(*v0)[SEATS] = n->v[0], (*v1)[SEATS] = n->v[1], (*v2)[SEATS] = n->v[2];
-	uint32_t x = b->axis[0], y = b->axis[1], z = b->axis[2];
-	f4 ox = f4_all(b->o[0]), oy = f4_all(b->o[1]), oz = f4_all(b->o[2]), side = f4_all(b->side);
-	f4 sx = f4_all(b->shear[0]), sy = f4_all(b->shear[1]), ax, ay, bx, by, cx, cy;
+	uint32_t x = t->axis[0], y = t->axis[1], z = t->axis[2];
+	f4 ox = f4_all(t->o[0]), oy = f4_all(t->o[1]), oz = f4_all(t->o[2]), side = f4_all(t->side);
+	f4 sx = f4_all(t->shear[0]), sy = f4_all(t->shear[1]), to[3], ax, ay, bx, by, cx, cy;
+	f4 least, most, wide, slack, zmin, zmax;
 
 	m->az = f4_mul_sub(f4_load(v0[z]), side, oz);
 	m->bz = f4_mul_sub(f4_load(v1[z]), side, oz);
 	m->cz = f4_mul_sub(f4_load(v2[z]), side, oz);
-	ax = f4_sub_mul(f4_sub(f4_load(v0[x]), ox), sx, m->az);
-	ay = f4_sub_mul(f4_sub(f4_load(v0[y]), oy), sy, m->az);
+	to[0] = f4_sub(f4_load(v0[x]), ox);
+	to[1] = f4_sub(f4_load(v0[y]), oy);
+	to[2] = m->az;
+	ax = f4_sub_mul(to[0], sx, m->az);
+	ay = f4_sub_mul(to[1], sy, m->az);
 	bx = f4_sub_mul(f4_sub(f4_load(v1[x]), ox), sx, m->bz);
 	by = f4_sub_mul(f4_sub(f4_load(v1[y]), oy), sy, m->bz);
 	cx = f4_sub_mul(f4_sub(f4_load(v2[x]), ox), sx, m->cz);
@@ -168,44 +245,40 @@ V void beam_block(const struct beam *b, const struct block *n, struct meeting *m
 	m->a = f4_mul_sub(cx, by, f4_mul(cy, bx));
 	m->b = f4_mul_sub(ax, cy, f4_mul(ay, cx));
 	m->c = f4_mul_sub(bx, ay, f4_mul(by, ax));
-	m->wide = f4_max(f4_max(f4_max(f4_size(ax), f4_size(ay)), f4_max(f4_size(bx), f4_size(by))),
-			 f4_max(f4_size(cx), f4_size(cy)));
-	m->slack = f4_mul(f4_load(n->slack), f4_all(b->grow));
-	m->zmin = f4_min(m->az, f4_min(m->bz, m->cz));
-	m->maybe = f4_le(f4_negate(m->slack), f4_min(m->a, f4_min(m->b, m->c)));
-	m->maybe |= f4_le(f4_max(m->a, f4_max(m->b, m->c)), m->slack);
-	m->maybe &= f4_le(m->zmin, f4_all(b->zfar));
+	least = f4_min(m->a, f4_min(m->b, m->c));
+	most = f4_max(m->a, f4_max(m->b, m->c));
+	slack = f4_mul(f4_load(n->slack), f4_all(t->grow));
+	zmin = f4_min(m->az, f4_min(m->bz, m->cz));
+	zmax = f4_max(m->az, f4_max(m->bz, m->cz));
+	m->maybe = f4_le(f4_negate(slack), least) | f4_le(most, slack);
+	m->maybe &= f4_le(zmin, f4_all(t->zfar));
+	m->sure = 0;
+	m->low = m->high = zmin;
+	if (early && !m->maybe)
+		return;
+	m->maybe &= ~f4_same(n->id, ray->skip);
+	if (a->prims->mask) {
+		for (unsigned k = 0; k < SEATS; k++)
+			m->maybe &= ~((uint32_t)(!ald_sees(a->prims, ray, n->id[n->slack[k] < 0 ? 0 : k])) << k);
+	}
+	if (a->fast)
+		return;
+	wide = f4_max(f4_max(f4_max(f4_size(ax), f4_size(ay)), f4_max(f4_size(bx), f4_size(by))),
+		      f4_max(f4_size(cx), f4_size(cy)));
+	block_bounds(t, n, m, to, zmin, zmax, wide, slack, least, most);
 }
 
-/* Bounds on the z of a hit, high for the lanes that are hit for sure, at a t that counts: those that are
- * returned.
- *
- * Where a coordinate is wider than a hit's can be, slack is no bound.
- * z is the mean of the corners' by weights that are off by slack each; with S the spread of the corners, D the
- * sum of the weights, it is off by at most 3 slack S / (D - 3 slack), and a few roundings, which zerror
- * covers, as it does what the kernel's own t may be off by, in doubles and with D > 3 slack. */
-V uint32_t beam_sure(const struct beam *b, const struct meeting *m, f4 *low, f4 *high)
+/* Bounds as t, rounded outward. */
+V f4 low_t(const struct aim *t, f4 low)
 {
-	f4 sum = f4_add(f4_add(m->a, m->b), m->c), three = f4_mul(m->slack, f4_all(3));
-	f4 z = f4_mul_add(m->a, m->az, f4_mul_add(m->b, m->bz, f4_mul(m->c, m->cz)));
-	f4 zmax = f4_max(m->az, f4_max(m->bz, m->cz)), off, lo, hi, unsure;
-	uint32_t sure;
+	low = f4_mul(low, f4_all(t->back));
+	return f4_sub_mul(low, f4_size(low), f4_all(0x1p-20f));
+}
 
-	z = f4_div(z, sum);
-	off = f4_mul(three, f4_sub(zmax, m->zmin));
-	off = f4_div(off, f4_max(f4_sub(f4_size(sum), three), f4_all(0x1p-100f)));
-	off = f4_add(off, f4_all(b->zerror));
-	lo = f4_sub(z, off);
-	hi = f4_add(z, off);
-	unsure = f4_sub(m->zmin, f4_all(b->zerror));
-	sure = f4_le(m->slack, f4_min(m->a, f4_min(m->b, m->c)));
-	sure |= f4_le(f4_max(m->a, f4_max(m->b, m->c)), f4_negate(m->slack));
-	sure &= f4_le(m->wide, f4_mul(m->slack, f4_all(b->reach)));
-	sure &= f4_le(hi, f4_all(b->sure_hi)) & f4_le(f4_all(b->sure_lo), lo);
-	sure &= m->maybe;
-	*high = hi;
-	*low = f4_max(f4_pick(sure, lo, unsure), unsure);
-	return sure;
+/* Infinite where it is not sure; where it is, z > 0. */
+V f4 high_t(const struct aim *t, const struct meeting *m)
+{
+	return f4_pick(m->sure, f4_mul(m->high, f4_all(t->back * (1 + 0x1p-20f))), f4_all(INFINITY));
 }
 
 /* In exact order the host rounds the winner's t. So where floats alone tell that a triangle is hit, at a t that
@@ -265,37 +338,20 @@ V void beam_end(const ald_accel *a, const struct batch *s, struct asked *q, stru
 		beam_settle(a, s, q, b);
 }
 
-/* The lanes of bits that the ray sees. */
-V uint32_t beam_sees(const ald_accel *a, const struct beam *b, const struct block *n, uint32_t bits)
-{
-	bits &= ~f4_same(n->id, b->ray->skip);
-	if (a->prims->mask) {
-		for (unsigned k = 0; k < SEATS; k++)
-			bits &= ~((uint32_t)(!ald_sees(a->prims, b->ray, n->id[n->slack[k] < 0 ? 0 : k])) << k);
-	}
-	return bits;
-}
-
 /* Whatever the block may hold, in the same steps. */
 V void beam_meet(const ald_accel *a, const struct batch *s, struct asked *q, struct beam *b, const struct block *n,
-		 struct meeting *m, int any)
+		 const struct meeting *m, int any)
 {
-	f4 low, high, back = f4_all(b->back);
-	uint32_t sure;
+	f4 high = high_t(&b->aim, m);
 	float least;
 
-	m->maybe = beam_sees(a, b, n, m->maybe);
-	sure = beam_sure(b, m, &low, &high);
-	low = f4_mul(low, back);
-	low = f4_sub_mul(low, f4_size(low), f4_all(0x1p-20f));
-	high = f4_pick(sure, f4_mul(high, f4_mul(back, f4_all(1 + 0x1p-20f))), f4_all(INFINITY));
 	f4_pack((float *)&b->id[b->pending], f4_load((const float *)n->id), m->maybe);
-	f4_pack(&b->low[b->pending], low, m->maybe);
+	f4_pack(&b->low[b->pending], low_t(&b->aim, m->low), m->maybe);
 	f4_pack(&b->high[b->pending], high, m->maybe);
 	b->pending += (uint32_t)__builtin_popcount(m->maybe);
 	if (any) {
-		b->found |= sure != 0;
-		b->top = sure ? 1 : b->top;
+		b->found |= m->sure != 0;
+		b->top = m->sure ? 1 : b->top;
 	} else {
 		least = f4_least(high);
 		beam_cut(b, least < b->tfar ? least : b->tfar);
@@ -385,7 +441,7 @@ V void beam_leaf(const ald_accel *a, const struct batch *s, struct asked *q, str
 	b->enter[b->top] = -INFINITY;
 	b->below[b->top] = b->ref + 1 - (1u << REF_SHIFT);
 	b->top += (b->ref & 7u << REF_SHIFT) != 0;
-	beam_block(b, n, &m);
+	block_meet(a, &b->aim, n, b->ray, &m, 0);
 	if (a->fast)
 		beam_meet_fast(a, b, n, &m, any);
 	else

@@ -20,6 +20,9 @@
 #define HERD_MANY 6u /* rays that are worth a hull */
 #define HERD_ROW 3u /* of sixteen rays, that go together against a triangle */
 #define HERD_AHEAD 3u
+#define HERD_LEAST 16u
+#define HERD_TOGETHER 2u /* rays that open a node together, on average, or herds do not pay */
+#define HERD_FETCH (24 * sizeof(ald_ray)) /* how far ahead rays are fetched */
 #define TESTED UINT32_MAX
 
 struct herd {
@@ -31,6 +34,7 @@ struct herd {
 	float side, grow, extent; /* extent: see beam's reach */
 	uint32_t near[3], far[3]; /* which planes of a node */
 	uint32_t axis[3], size;
+	uint32_t steps, rays; /* nodes that were opened, by how many rays */
 	uint32_t pending;
 	float low[HERD_PENDING + 16], high[HERD_PENDING + 16]; /* see beam; high in exact order only */
 	uint32_t lane[HERD_PENDING + 16], id[HERD_PENDING + 16];
@@ -71,7 +75,7 @@ V void herd_begin(const ald_accel *a, struct herd *h)
 {
 	const struct lot *l = &h->lot;
 	uint32_t kz = h->axis[2];
-	f16 pads = f16_all(0), reach = f16_all(-INFINITY), tiny = f16_all(0x1p-22f);
+	f16 pads = f16_all(0), reach = f16_all(-INFINITY), tiny = f16_all(DEPTH_LEAST);
 	float pad, far;
 
 	h->found = h->asked = 0;
@@ -183,6 +187,8 @@ V uint32_t herd_node(const ald_accel *a, struct herd *h, uint32_t ref, uint64_t 
 	uint32_t m = (uint32_t)__builtin_popcountll(mask), from = top;
 	struct fan f;
 
+	h->steps++;
+	h->rays += m;
 	if (m >= HERD_MANY) {
 		f8 t0 = f8_all(0), t1 = f8_all(h->reach);
 		uint32_t rows = 0, some;
@@ -318,14 +324,7 @@ V void herd_meet_fast(const ald_accel *a, const struct batch *s, struct herd *h,
 	h->live &= ~h->found;
 }
 
-/* Lanes where a triangle is surely behind the ray's begin, if its line meets it: mostly the one that the ray starts
- * on, of which weights don't tell.
- *
- * N = (e x g) . q, of two edges and the way from the origin to a corner, is z times D, the sum of the weights, with
- * the other sign. Edges are off by 2^-24 and 2^-24 of what they are, so is q, by the rays' pad more. With s the largest
- * component of an edge, Q that of q, the normal's are off by less than 4 s 2^-24 (1 + s) + 6 s s 2^-24, and N, with
- * its own roundings, by less than 2^-24 (12 s Q + 6 s s + 54 s s Q) + 6 s s pad. slack gives a bound on s. Where the
- * line meets the triangle, D has the sign it should have if it is more than 3 slack. */
+/* As block_behind(). */
 V uint32_t herd_behind(const struct herd *h, const struct block *n, unsigned k, unsigned row, f16 qz, f16 sum)
 {
 	const struct lot *l = &h->lot;
@@ -346,27 +345,7 @@ V uint32_t herd_behind(const struct herd *h, const struct block *n, unsigned k, 
 	       (f16_le(e, f16_sub(f16_all(0), up)) & f16_le(sum, f16_all(-slack)));
 }
 
-/* The same for the triangles of a block and a ray; to: from the origin to the first corners. */
-V uint32_t herd_block_behind(const struct herd *h, const struct block *n, const f4 to[3], float pad, f4 sum)
-{
-	uint32_t x = h->axis[0], y = h->axis[1], z = h->axis[2];
-	f4 side = f4_all(h->side), ax = f4_load(n->v[0][x]), ay = f4_load(n->v[0][y]), az = f4_load(n->v[0][z]);
-	f4 ex = f4_sub(f4_load(n->v[1][x]), ax), ey = f4_sub(f4_load(n->v[1][y]), ay);
-	f4 ez = f4_mul(f4_sub(f4_load(n->v[1][z]), az), side), gx = f4_sub(f4_load(n->v[2][x]), ax);
-	f4 gy = f4_sub(f4_load(n->v[2][y]), ay), gz = f4_mul(f4_sub(f4_load(n->v[2][z]), az), side);
-	f4 nx = f4_mul_sub(ey, gz, f4_mul(ez, gy)), ny = f4_mul_sub(ez, gx, f4_mul(ex, gz));
-	f4 nz = f4_mul_sub(ex, gy, f4_mul(ey, gx)), slack = f4_load(n->slack);
-	f4 s = f4_mul(slack, f4_all(1 / (11 * EDGE_ERROR))), up, e, most;
-
-	slack = f4_mul(slack, f4_all(3 * h->grow));
-	most = f4_max(f4_max(f4_size(to[0]), f4_size(to[1])), f4_size(to[2]));
-	up = f4_mul_add(nx, to[0], f4_mul_add(ny, to[1], f4_mul(nz, to[2])));
-	e = f4_mul_add(most, f4_mul_add(s, f4_all(0x1p-18f), f4_all(0x1p-20f)), f4_mul(s, f4_all(0x1p-21f + 8 * pad)));
-	e = f4_mul(e, s);
-	return (f4_le(e, up) & f4_le(slack, sum)) | (f4_le(e, f4_negate(up)) & f4_le(sum, f4_negate(slack)));
-}
-
-/* A triangle and a row of sixteen rays. As beam_block(), beam_sure() and beam_meet(). */
+/* A triangle and a row of sixteen rays. As block_meet() and beam_meet(). */
 V void herd_triangle(const ald_accel *a, const struct batch *s, struct asked *q, struct herd *h,
 		     const struct block *n, unsigned k, unsigned row, uint32_t lanes, int any)
 {
@@ -447,85 +426,44 @@ V void herd_block(const ald_accel *a, const struct batch *s, struct asked *q, st
 		  unsigned lane, int any)
 {
 	struct lot *l = &h->lot;
-	const float(*v0)[SEATS] = n->v[0], (*v1)[SEATS] = n->v[1], (*v2)[SEATS] = n->v[2];
-	uint32_t x = h->axis[0], y = h->axis[1], z = h->axis[2], maybe, sure;
-	f4 ox = f4_all(l->o[x][lane]), oy = f4_all(l->o[y][lane]), oz = f4_all(h->oz[lane]), side = f4_all(h->side);
-	f4 sx = f4_all(l->shear[0][lane]), sy = f4_all(l->shear[1][lane]), ax, ay, az, bx, by, bz, cx, cy, cz, wa, wb, wc;
-	f4 slack, zmin, zmax, error, sum, zz, off, low, high, back, wide, three, least, most;
+	const uint32_t *axis = h->axis;
+	const struct aim t = { .o = { l->o[axis[0]][lane], l->o[axis[1]][lane], h->oz[lane] },
+			       .shear = { l->shear[0][lane], l->shear[1][lane] },
+			       .side = h->side,
+			       .zfar = h->zfar[lane],
+			       .before = h->before[lane],
+			       .sure_lo = h->sure_lo[lane],
+			       .sure_hi = h->sure_hi[lane],
+			       .zerror = h->zerror[lane],
+			       .pad = l->pad[lane],
+			       .grow = h->grow,
+			       .reach = h->extent,
+			       .back = h->back[lane],
+			       .axis = { axis[0], axis[1], axis[2] } };
+	struct meeting m;
 
-	az = f4_mul_sub(f4_load(v0[z]), side, oz);
-	bz = f4_mul_sub(f4_load(v1[z]), side, oz);
-	cz = f4_mul_sub(f4_load(v2[z]), side, oz);
-	ax = f4_sub_mul(f4_sub(f4_load(v0[x]), ox), sx, az);
-	ay = f4_sub_mul(f4_sub(f4_load(v0[y]), oy), sy, az);
-	bx = f4_sub_mul(f4_sub(f4_load(v1[x]), ox), sx, bz);
-	by = f4_sub_mul(f4_sub(f4_load(v1[y]), oy), sy, bz);
-	cx = f4_sub_mul(f4_sub(f4_load(v2[x]), ox), sx, cz);
-	cy = f4_sub_mul(f4_sub(f4_load(v2[y]), oy), sy, cz);
-	wa = f4_mul_sub(cx, by, f4_mul(cy, bx));
-	wb = f4_mul_sub(ax, cy, f4_mul(ay, cx));
-	wc = f4_mul_sub(bx, ay, f4_mul(by, ax));
-	least = f4_min(wa, f4_min(wb, wc));
-	most = f4_max(wa, f4_max(wb, wc));
-	slack = f4_mul(f4_load(n->slack), f4_all(h->grow));
-	zmin = f4_min(az, f4_min(bz, cz));
-	zmax = f4_max(az, f4_max(bz, cz));
-	error = f4_mul_add(f4_max(f4_size(zmin), f4_size(zmax)), f4_all(DEPTH_RELATIVE), f4_all(h->zerror[lane]));
-	zmin = f4_sub(zmin, error);
-	zmax = f4_add(zmax, error);
-	maybe = f4_le(f4_negate(slack), least) | f4_le(most, slack);
-	maybe &= f4_le(zmin, f4_all(h->zfar[lane])) & f4_le(f4_all(h->before[lane]), zmax);
-	if (!maybe)
+	block_meet(a, &t, n, &s->ray[l->index[lane]], &m, 1);
+	if (!m.maybe)
 		return;
-	maybe &= ~f4_same(n->id, s->ray[l->index[lane]].skip);
-	if (a->prims->mask) {
-		for (unsigned k = 0; k < SEATS; k++)
-			maybe &= ~((uint32_t)(!ald_sees(a->prims, &s->ray[l->index[lane]],
-							n->id[n->slack[k] < 0 ? 0 : k]))
-				   << k);
-	}
-	sum = f4_add(f4_add(wa, wb), wc);
-	three = f4_mul(slack, f4_all(3));
-	zz = f4_div(f4_mul_add(wa, az, f4_mul_add(wb, bz, f4_mul(wc, cz))), sum);
-	off = f4_mul(three, f4_sub(zmax, zmin));
-	off = f4_div(off, f4_max(f4_sub(f4_size(sum), three), f4_all(0x1p-100f)));
-	off = f4_add(off, error);
-	wide = f4_max(f4_max(f4_max(f4_size(ax), f4_size(ay)), f4_max(f4_size(bx), f4_size(by))),
-		      f4_max(f4_size(cx), f4_size(cy)));
-	sure = f4_le(slack, least) | f4_le(most, f4_negate(slack));
-	sure &= f4_le(wide, f4_mul(slack, f4_all(h->extent)));
-	low = f4_max(f4_pick(sure, f4_sub(zz, off), zmin), zmin);
-	high = f4_min(f4_pick(sure, f4_add(zz, off), zmax), zmax);
-	maybe &= f4_le(f4_all(h->before[lane]), high);
-	sure &= f4_le(high, f4_all(h->sure_hi[lane])) & f4_le(f4_all(h->sure_lo[lane]), low) & maybe;
-	if (any && sure) {
+	if (any && m.sure) {
 		h->found |= (uint64_t)1 << lane;
 		h->live &= ~((uint64_t)1 << lane);
 		return;
 	}
-	if (maybe & ~sure & f4_le(low, f4_all(h->sure_lo[lane]))) {
-		const f4 to[3] = { f4_sub(f4_load(v0[x]), ox), f4_sub(f4_load(v0[y]), oy), az };
-
-		maybe &= ~herd_block_behind(h, n, to, l->pad[lane], sum) | sure;
-	}
-	back = f4_all(h->back[lane]);
-	low = f4_mul(low, back);
-	low = f4_sub_mul(low, f4_size(low), f4_all(0x1p-20f));
 	if (!any) {
-		float t, depth = l->depth[lane];
+		f4 high = high_t(&t, &m);
+		float least = f4_least(high);
 
-		high = f4_pick(sure, f4_mul(high, f4_mul(back, f4_all(1 + 0x1p-20f))), f4_all(INFINITY));
-		t = f4_least(high);
-		t = t < l->tfar[lane] ? t : l->tfar[lane];
-		l->tfar[lane] = t;
-		h->zfar[lane] = t * depth + (h->zerror[lane] + DEPTH_ERROR);
-		f4_pack(&h->high[h->pending], high, maybe);
+		least = least < l->tfar[lane] ? least : l->tfar[lane];
+		l->tfar[lane] = least;
+		h->zfar[lane] = least * l->depth[lane] + (t.zerror + DEPTH_ERROR);
+		f4_pack(&h->high[h->pending], high, m.maybe);
 	}
-	f4_pack((float *)&h->id[h->pending], f4_load((const float *)n->id), maybe);
-	f4_pack(&h->low[h->pending], low, maybe);
+	f4_pack((float *)&h->id[h->pending], f4_load((const float *)n->id), m.maybe);
+	f4_pack(&h->low[h->pending], low_t(&t, m.low), m.maybe);
 	for (unsigned i = 0; i < SEATS; i++)
 		h->lane[h->pending + i] = lane;
-	h->pending += (uint32_t)__builtin_popcount(maybe);
+	h->pending += (uint32_t)__builtin_popcount(m.maybe);
 	if (h->pending > HERD_PENDING)
 		herd_settle(a, s, q, h);
 }
@@ -637,7 +575,40 @@ V uint32_t way_of(const ald_ray *r)
 	return (2 - 2 * first - second) * 8 + (uint32_t)(d[0] >> 63 | d[1] >> 63 << 1 | d[2] >> 63 << 2);
 }
 
-V void serve_herd(const ald_accel *a, const struct batch *b, struct asked *asked, ald_query *q, struct herd *h,
+/* Rays by the way they go: order[], and behind each way where it ends there. */
+V void herd_sort(const ald_ray *ray, uint32_t n, uint16_t *order, uint32_t end[WAYS])
+{
+	uint8_t way[HERD_SORTED];
+	uint32_t mixed = 0, sum = 0, one = way_of(&ray[0]);
+
+	for (uint32_t i = 0; i < n; i++) {
+		__builtin_prefetch((const char *)(ray + i) + HERD_FETCH);
+		__builtin_prefetch((const char *)(ray + i) + HERD_FETCH + 64);
+		way[i] = (uint8_t)way_of(&ray[i]);
+		mixed |= (uint32_t)way[i] ^ one;
+	}
+	memset(end, 0, WAYS * sizeof(*end));
+	if (!mixed) { /* mostly, where rays are coherent */
+		for (uint32_t i = 0; i < n; i++)
+			order[i] = (uint16_t)i;
+		for (unsigned k = one; k < WAYS; k++)
+			end[k] = n;
+		return;
+	}
+	for (uint32_t i = 0; i < n; i++)
+		end[way[i]]++;
+	for (unsigned k = 0; k < WAYS; k++) {
+		uint32_t first = sum;
+
+		sum += end[k];
+		end[k] = first;
+	}
+	for (uint32_t i = 0; i < n; i++)
+		order[end[way[i]]++] = (uint16_t)i;
+}
+
+/* n rays that go one way. */
+V void herd_serve(const ald_accel *a, const struct batch *b, struct asked *asked, ald_query *q, struct herd *h,
 		  const uint16_t *order, uint32_t from, uint32_t n, uint32_t way, int any)
 {
 	struct lot *l = &h->lot;
@@ -661,44 +632,6 @@ V void serve_herd(const ald_accel *a, const struct batch *b, struct asked *asked
 	herd_walk(a, b, asked, q, h, any);
 }
 
-static __attribute__((noinline)) void serve_herds(const ald_accel *a, ald_query *q, const struct batch *b, int any)
-{
-	struct herd h;
-	struct asked asked;
-	uint16_t order[HERD_SORTED];
-	uint8_t way[HERD_SORTED];
-
-	asked.n = 0;
-	for (uint32_t from = 0; from < b->n; from += HERD_SORTED) {
-		uint32_t n = b->n - from < HERD_SORTED ? b->n - from : HERD_SORTED, end[WAYS + 1] = { 0 }, at = 0;
-
-		uint32_t mixed = 0;
-
-		for (uint32_t i = 0; i < n; i++) {
-			__builtin_prefetch(&b->ray[from + i + 24]);
-			__builtin_prefetch((const char *)&b->ray[from + i + 24] + 64);
-			way[i] = (uint8_t)way_of(&b->ray[from + i]);
-			mixed |= way[i] ^ way[0];
-		}
-		for (uint32_t i = 0; i < n && !mixed; i++)
-			order[i] = (uint16_t)i;
-		if (!mixed)
-			end[way[0]] = n;
-		for (uint32_t i = 0; i < n && mixed; i++)
-			end[way[i] + 1]++;
-		for (unsigned k = 0; k < WAYS && mixed; k++)
-			end[k + 1] += end[k];
-		for (uint32_t i = 0; i < n && mixed; i++)
-			order[end[way[i]]++] = (uint16_t)i;
-		for (unsigned k = 0; k < WAYS; k++) {
-			for (; at < end[k]; at += LOT)
-				serve_herd(a, b, &asked, q, &h, order + at, from, end[k] - at < LOT ? end[k] - at : LOT, k,
-					   any);
-			at = end[k];
-		}
-	}
-	ask(a, b, &asked);
-}
 #endif
 
 #endif

@@ -11,8 +11,10 @@
 #include "bvh8_vecd.h"
 
 #define LOT 64u
-#define DEPTH_ERROR (4 * EDGE_ERROR) /* of a distance along the main axis */
+/* Of a distance along the main axis: where it is 0, for each 1 of it, and within the scene. See bvh8_beam.h. */
+#define DEPTH_LEAST 0x1p-22f
 #define DEPTH_RELATIVE 0x1p-19f
+#define DEPTH_ERROR 0x1p-18f
 
 struct lot {
 	/* plane * inverse + near_o is the entrance */
@@ -34,6 +36,11 @@ struct batch { /* the rays of a call */
 	uint8_t *hidden;
 	uint32_t n;
 };
+
+V float depth_error(float pad)
+{
+	return DEPTH_LEAST + 0x1p15f * pad;
+}
 
 V dv walk_t(dv t, dv shift, dv tscale)
 {

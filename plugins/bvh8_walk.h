@@ -51,27 +51,34 @@ struct source {
 	ald_query *q;
 	struct asked asked;
 	struct lot lot;
-	uint32_t next; /* of the batch: what comes behind the lot */
+	const uint16_t *order; /* of the rays, counted from the first, or NULL */
+	uint32_t first, next, end; /* what comes behind the lot */
 	uint64_t left; /* lanes of the lot */
 };
 
-V void source_open(struct source *s, ald_query *q, const struct batch *b)
+/* Rays first + order[i], or i, from <= i < end. */
+V void source_open(struct source *s, ald_query *q, const struct batch *b, const uint16_t *order, uint32_t first,
+		   uint32_t from, uint32_t end)
 {
 	s->batch = *b;
 	s->q = q;
-	s->asked.n = s->next = 0;
+	s->order = order;
+	s->first = first;
+	s->next = from;
+	s->end = end;
+	s->asked.n = 0;
 	s->left = 0;
 }
 
 /* A lot more; 0: there is none. */
 V int source_fill(const ald_accel *a, struct source *s, int any)
 {
-	uint32_t n = s->batch.n - s->next < LOT ? s->batch.n - s->next : LOT;
+	uint32_t n = s->end - s->next < LOT ? s->end - s->next : LOT;
 
 	if (!n)
 		return 0;
 	for (uint32_t i = 0; i < n; i++)
-		s->lot.index[i] = s->next + i;
+		s->lot.index[i] = s->order ? s->first + s->order[s->next + i] : s->next + i;
 	s->next += n;
 	lot_fill(a, &s->lot, &s->batch, n);
 	lot_odd(a, s->q, &s->batch, &s->lot, any);
@@ -227,11 +234,13 @@ V void crew_work(const ald_accel *a, struct crew *c, int any)
 
 /* ---- a batch ---- */
 
-static __attribute__((noinline)) void serve_many(const ald_accel *a, ald_query *q, const struct batch *b, int any)
+static __attribute__((noinline)) void serve_crew(const ald_accel *a, ald_query *q, const struct batch *b,
+						 const uint16_t *order, uint32_t first, uint32_t from, uint32_t end,
+						 int any)
 {
 	struct crew c;
 
-	source_open(&c.source, q, b);
+	source_open(&c.source, q, b, order, first, from, end);
 	c.base[0] = (const char *)a->node;
 	c.base[1] = (const char *)a->block;
 	c.size[0] = sizeof(*a->node);
@@ -241,6 +250,48 @@ static __attribute__((noinline)) void serve_many(const ald_accel *a, ald_query *
 	ask(a, b, &c.source.asked);
 }
 
+#if ISA_LEVEL >= 2
+/* As herds, as long as it pays, and then as a crew. */
+static __attribute__((noinline)) void serve_herds(const ald_accel *a, ald_query *q, const struct batch *b, int any)
+{
+	struct herd h;
+	struct asked asked;
+	uint16_t order[HERD_SORTED];
+
+	asked.n = 0;
+	h.steps = h.rays = 0;
+	for (uint32_t from = 0; from < b->n; from += HERD_SORTED) {
+		uint32_t n = b->n - from < HERD_SORTED ? b->n - from : HERD_SORTED, end[WAYS], at = 0, way = 0;
+
+		herd_sort(b->ray + from, n, order, end);
+		while (at < n && h.rays >= HERD_TOGETHER * h.steps) {
+			uint32_t m;
+
+			for (; end[way] == at; way++)
+				;
+			m = end[way] - at < LOT ? end[way] - at : LOT;
+			herd_serve(a, b, &asked, q, &h, order + at, from, m, way, any);
+			at += m;
+		}
+		if (at < n)
+			serve_crew(a, q, b, order, from, at, n, any);
+	}
+	ask(a, b, &asked);
+}
+#endif
+
+/* Several rays. */
+V void serve_many(const ald_accel *a, ald_query *q, const struct batch *b, int any)
+{
+#if ISA_LEVEL >= 2
+	if (b->n >= HERD_LEAST && a->interleave == INTERLEAVE_MAX) {
+		serve_herds(a, q, b, any);
+		return;
+	}
+#endif
+	serve_crew(a, q, b, NULL, 0, 0, b->n, any);
+}
+
 V void serve(const ald_accel *a, ald_query *q, const struct batch *b, int any)
 {
 	struct source s;
@@ -248,17 +299,11 @@ V void serve(const ald_accel *a, ald_query *q, const struct batch *b, int any)
 
 	if (a->root == EMPTY || !b->n)
 		return;
-#if ISA_LEVEL >= 2
-	if (b->n > 1 && a->interleave == INTERLEAVE_MAX && !q->count) {
-		serve_herds(a, q, b, any);
-		return;
-	}
-#endif
 	if (b->n > 1 && a->interleave > 1 && !q->count) {
 		serve_many(a, q, b, any);
 		return;
 	}
-	source_open(&s, q, b);
+	source_open(&s, q, b, NULL, 0, 0, b->n);
 	while (source_next(a, &s, &beam, any)) {
 		if (q->count)
 			walk_counted(a, &s, &beam, any);

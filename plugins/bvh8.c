@@ -25,8 +25,6 @@ static const ald_param params[] = {
 /* Of its own choice AVX2 before AVX-512, whose masks cost rays more than its width gains. */
 static const struct isa *isa_of(unsigned want, ald_error *err)
 {
-	if (want == ISA_AUTO && isa_here(ISA_AVX2))
-		want = ISA_AVX2;
 	switch (isa_choose(want, err)) {
 #if defined __x86_64__
 	case ISA_AVX512:

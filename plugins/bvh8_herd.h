@@ -515,7 +515,9 @@ V void herd_fetch(const ald_accel *a, const struct herd *h, uint32_t top)
 {
 	for (uint32_t i = 1; i <= HERD_AHEAD && i <= top; i++) {
 		uint32_t ref = h->ref[top - i];
-		const char *p = ref < REF_LEAF ? (const char *)&a->node[ref] : (const char *)&a->block[ref & REF_INDEX];
+		const char *p = ref < REF_LEAF	   ? (const char *)&a->node[ref] :
+				ref < REF_OTHERS ? (const char *)&a->block[ref & REF_INDEX] :
+						   (const char *)a->other;
 
 		__builtin_prefetch(p);
 		__builtin_prefetch(p + 64);

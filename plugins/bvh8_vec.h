@@ -159,11 +159,7 @@ V f8 f8_mul(f8 a, f8 b) { return _mm256_mul_ps(a, b); }
 V f8 f8_negate(f8 a) { return _mm256_xor_ps(a, _mm256_set1_ps(-0.0f)); }
 /* a >= 0 with the sign of b */
 V f8 f8_signed(f8 a, f8 b) { return _mm256_or_ps(a, _mm256_and_ps(b, _mm256_set1_ps(-0.0f))); }
-#if ISA_LEVEL >= 3
-V uint32_t f8_le(f8 a, f8 b) { return _mm256_cmp_ps_mask(a, b, _CMP_LE_OQ); }
-#else
 V uint32_t f8_le(f8 a, f8 b) { return (uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LE_OQ)); }
-#endif
 #elif ISA_LEVEL == 1
 typedef struct {
 	__m128 a, b;
@@ -357,17 +353,10 @@ V __m256i f8_sorted(f8 from, f8 to, uint32_t *n)
 {
 	const __m256i lanes = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7), low = _mm256_set1_epi32(7);
 	__m256i x = _mm256_or_si256(_mm256_andnot_si256(low, _mm256_castps_si256(from)), lanes);
-#if ISA_LEVEL >= 3
-	__mmask8 out = _mm256_cmp_ps_mask(from, to, _CMP_NLE_UQ);
-
-	*n = 8 - (uint32_t)__builtin_popcount(out);
-	x = _mm256_mask_mov_epi32(x, out, _mm256_set1_epi32(-1));
-#else
 	__m256 out = _mm256_cmp_ps(from, to, _CMP_NLE_UQ);
 
 	*n = 8 - (uint32_t)__builtin_popcount((unsigned)_mm256_movemask_ps(out));
 	x = _mm256_or_si256(x, _mm256_castps_si256(out));
-#endif
 	/* Batcher's network, by whole vectors; distances >= 0 compare as integers do, what is missed is -1. */
 	SORT_PASS(x, _mm256_shuffle_epi32(x, 0xb1), 0xaa);
 	SORT_PASS(x, _mm256_shuffle_epi32(x, 0x1b), 0xcc);

@@ -194,9 +194,9 @@ V uint32_t block_behind(const struct aim *t, const struct block *n, const f4 to[
  * sum of the weights, it is off by at most the lesser of 3 slack S / (D - 3 slack) and S, and by error: corners and
  * origin are off by 2^-25 each, and the ray's pad, and their difference by 2^-24 of itself, which counts twice, once
  * in S; the mean takes six roundings, 3 slack S / (D - 3 slack) where it is less than S less than 2^-21 S: with the
- * corners' z of at most Z, in all 2^-23 + 2 pad + 2^-19 Z. The kernel's own t is off by less than 9 u of n . q over n . d,
- * u = 2^-53, so its z, with D > 3 slack > 36 EDGE_ERROR s, by less than 2^19 u s Q, Q how far away the ray's own origin
- * is: 2^14 pad at most, as pad holds 64 u Q. */
+ * corners' z of at most Z, in all 2^-23 + 2 pad + 2^-19 Z. The kernel's own t is off by less than 9 u of n . q over
+ * n . d, u = 2^-53, so its z, with D > 3 slack > 36 EDGE_ERROR s, by less than 2^19 u s Q, Q how far away the ray's own
+ * origin is: 2^14 pad at most, as pad holds 64 u Q. DEPTH_LEAST and 2^15 pad cover both. */
 V void block_bounds(const struct aim *t, const struct block *n, struct meeting *m, const f4 to[3], f4 zmin, f4 zmax,
 		    f4 wide, f4 slack, f4 least, f4 most)
 {

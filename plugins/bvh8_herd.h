@@ -216,7 +216,8 @@ V uint32_t herd_node(const ald_accel *a, struct herd *h, uint32_t ref, uint64_t 
 	}
 	herd_rays(h, n, mask, &f, any);
 	if (any)
-		return top + f8_keep(f.some, f.more, n->child, h->some + top, h->more + top, h->ref + top, h->box + top);
+		return top + f8_keep(f.some, f.more, n->child, h->some + top, h->more + top, h->ref + top,
+				     h->box + top);
 	return top + f8_sort(f.enter, f.some, f.more, n->child, h->some + top, h->more + top, h->ref + top,
 			     h->box + top, h->enter + top);
 }
@@ -376,7 +377,8 @@ V void herd_triangle(const ald_accel *a, const struct batch *s, struct asked *q,
 	sum = f16_add(f16_add(w0, w1), w2);
 	z = f16_div(f16_mul_add(w0, c0.z, f16_mul_add(w1, c1.z, f16_mul(w2, c2.z))), sum);
 	zmax = f16_max(c0.z, f16_max(c1.z, c2.z));
-	error = f16_mul_add(f16_max(f16_size(zmin), f16_size(zmax)), f16_all(DEPTH_RELATIVE), f16_load(h->zerror + row));
+	error = f16_max(f16_size(zmin), f16_size(zmax));
+	error = f16_mul_add(error, f16_all(DEPTH_RELATIVE), f16_load(h->zerror + row));
 	off = f16_max(f16_sub(f16_size(sum), f16_all(3 * slack)), f16_all(0x1p-100f));
 	off = f16_div(f16_mul(f16_all(3 * slack), f16_sub(zmax, zmin)), off);
 	off = f16_add(off, error);

@@ -397,7 +397,9 @@ V f8 f8_first(f8 least, f8 from, f8 to)
 #if ISA_LEVEL >= 3
 	return _mm256_mask_min_ps(least, _mm256_cmp_ps_mask(from, to, _CMP_LE_OQ), least, from);
 #else
-	return _mm256_min_ps(least, _mm256_blendv_ps(_mm256_set1_ps(INFINITY), from, _mm256_cmp_ps(from, to, _CMP_LE_OQ)));
+	f8 in = _mm256_cmp_ps(from, to, _CMP_LE_OQ);
+
+	return _mm256_min_ps(least, _mm256_blendv_ps(_mm256_set1_ps(INFINITY), from, in));
 #endif
 }
 

@@ -35,8 +35,8 @@ are black in the rest of that pixel's tree of mirrored and refracted rays. Impor
 the scene without. Ours has it. Where a mirror's exponent makes no numbers of negative light, POV-Ray's cache spreads
 these over its picture: such a file is compared without exponents. And POV-Ray's rays go on without end between
 surfaces of ior 1, which it does not count: where it takes minutes for a picture of a second, both programs get an ior
-of 1.000001, as which such surfaces count. Where light that bounces often takes POV-Ray more than five minutes a
-picture, as in hair, both draw one bounce.
+of 1.000001, as which such surfaces count. Where a picture takes POV-Ray too long all the same, as of
+glass, it is a quarter as large; and where that does too, as of hair, both draw one bounce.
 """
 import os
 import re
@@ -50,6 +50,7 @@ import renderers
 SIZE = (160, 120)
 SMALL = (96, 72) # where POV-Ray needs minutes for a picture without noise, and figures are statistics
 TINY = (64, 48)
+TINIEST = (32, 24) # where POV-Ray needs even more
 LEAST = 99.5
 RMSE, MEAN = 0.004, 0.001
 METHODS = (('exact', RMSE, MEAN), ('cache', 1.5 * RMSE, 2 * MEAN))
@@ -60,6 +61,7 @@ FINER = dict(HIGH, error_bound='0.03', minimum_reuse='0.0005')
 # Size, counts of the pictures, other settings, how many times larger the scene is for POV-Ray.
 LEVELS = ((TINY, (250,), HIGH, 1), (TINY, (250,), HIGH, 100), (SMALL, (250, 258), FINER, 1),
           (SIZE, (250, 258), FINER, 1), (SMALL, ('6400, 64000', '6401, 65536'), FINER, 1))
+TINIEST_LEVELS = ((TINIEST, (250,), HIGH, 1), (TINIEST, (250, 258), FINER, 1))
 ADDON = re.compile(r'\bcamLookAt\b') # enlarge.py knows its files
 CONVERGED = 0.001
 EVERY = 20
@@ -236,34 +238,36 @@ def converged(text, base, theirs):
     return [said] if figures.rmse > CONVERGED else [], [said]
 
 
-def indirect(outcome, text, base, check=False):
-    """(b), without what has no end in POV-Ray, and with less bounces of light if these take it too long."""
+def indirect(outcome, text, base, check=False, levels=LEVELS):
+    """(b), without what has no end in POV-Ray, smaller and with less bounces of light if these take it too long."""
     text = quiet(text)
     try:
-        bounced(outcome, text, base, check)
+        bounced(outcome, text, base, check, levels)
     except renderers.TooLong:
         if IOR_ONE.search(text):
             outcome.notes.append(ENDLESS)
             text = IOR_ONE.sub('ior 1.000001', text)
+        elif levels is LEVELS:
+            levels = TINIEST_LEVELS
         elif not once(text):
             outcome.notes.append(SLOW)
-            text = BOUNCES.sub('recursion_limit 1', text)
+            text, levels = BOUNCES.sub('recursion_limit 1', text), LEVELS
         else:
             raise
-        indirect(outcome, text, base, check)
+        indirect(outcome, text, base, check, levels)
 
 
-def bounced(outcome, text, base, check):
+def bounced(outcome, text, base, check, levels):
     """(b)"""
     ours, left = None, METHODS
-    for size, counts, settings, factor in LEVELS:
+    for size, counts, settings, factor in levels:
         if factor != 1 and not ADDON.search(text):
             continue
         pictures = [best(text, base, size, count, settings, factor) for count in counts]
         theirs, noise = sum(pictures) / len(pictures), deviation(*pictures) if len(pictures) == 2 else 0.0
         if void(theirs, text):
             outcome.notes.append(EXPONENTS)
-            bounced(outcome, EXPONENT.sub('', text), base, check)
+            bounced(outcome, EXPONENT.sub('', text), base, check, levels)
             return
         ours = ours or Ours(written(os.path.join(base, 'indirect.pov'), text), base, allowed(theirs))
         if check:

@@ -11,6 +11,7 @@
 
 #define CACHE ((uint64_t)2 << 20) /* bytes of a tree that a processor's second cache holds */
 
+static const char *const build_label[] = { "sah", "fast", NULL };
 static const ald_param params[] = {
 	{ "split", "references at most, in primitives: long thin triangles in parts; 1: none", ALD_REAL, 16, 1,
 	  100, NULL },
@@ -19,6 +20,8 @@ static const ald_param params[] = {
 	{ "interleave",
 	  "rays a thread walks with in turns, where they are not coherent; 0: 48; 1: each alone",
 	  ALD_INT, 0, 0, INTERLEAVE_MAX, NULL },
+	{ "build", "sah: for rays; fast: a third of the time, rays take longer, nothing is split", ALD_CHOICE,
+	  BUILD_SAH, 0, 1, build_label },
 	{ NULL, NULL, 0, 0, 0, 0, NULL },
 };
 
@@ -41,14 +44,26 @@ static const struct isa *isa_of(unsigned want, ald_error *err)
 	}
 }
 
-static int (*make_of(const struct isa *isa))(struct builder *)
+/* The binary tree, or trees, of ref[]. */
+static int make_tree(struct builder *b)
 {
+	const ald_host *h = b->host;
+	int status;
 #if defined __x86_64__
-	return isa == &bvh8_avx2 || isa == &bvh8_avx512 ? bvh8_sah_avx2 : bvh8_sah_base;
+	int avx2 = b->a->isa == &bvh8_avx2 || b->a->isa == &bvh8_avx512;
+	int (*sah)(struct builder *) = avx2 ? bvh8_sah_avx2 : bvh8_sah_base;
+	void (*crop)(void *, uint32_t) = avx2 ? bvh8_crop_avx2 : bvh8_crop_base;
 #else
-	(void)isa;
-	return bvh8_sah_base;
+	int (*sah)(struct builder *) = bvh8_sah_base;
+	void (*crop)(void *, uint32_t) = bvh8_crop_base;
 #endif
+
+	if (b->value[P_BUILD] == BUILD_FAST)
+		return h->progress(h->ctx, 0.05) ? ALD_CANCELLED : bvh8_fast(b, crop);
+	status = h->progress(h->ctx, 0.05) ? ALD_CANCELLED : bvh8_split(b);
+	if (!status)
+		status = h->progress(h->ctx, 0.1) ? ALD_CANCELLED : bvh8_tree(b, sah);
+	return status;
 }
 
 void bvh8_destroy(ald_accel *a)
@@ -81,15 +96,14 @@ static int bvh8_build(const ald_host *host, const ald_prims *prims, const double
 			    .bytes = sizeof(*b.a) };
 	status = host->progress(host->ctx, 0) ? ALD_CANCELLED : bvh8_refs(&b);
 	if (!status)
-		status = host->progress(host->ctx, 0.05) ? ALD_CANCELLED : bvh8_split(&b);
-	if (!status)
-		status = host->progress(host->ctx, 0.1) ? ALD_CANCELLED : bvh8_tree(&b, make_of(isa));
+		status = make_tree(&b);
 	if (!status)
 		status = host->progress(host->ctx, 0.8) ? ALD_CANCELLED : bvh8_widen(&b);
 	b.a->far = b.a->bytes > CACHE;
 	if (!b.a->interleave)
 		b.a->interleave = INTERLEAVE_MAX;
 	host->free(host->ctx, b.ref);
+	host->free(host->ctx, b.key);
 	host->free(host->ctx, b.twig);
 	host->free(host->ctx, b.task);
 	host->free(host->ctx, b.corner);

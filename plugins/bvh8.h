@@ -89,7 +89,8 @@ struct isa {
 extern const uint8_t bvh8_lanes[256][8]; /* of each set of lanes, which they are, the last first */
 extern const struct isa bvh8_plain, bvh8_sse, bvh8_avx2, bvh8_avx512;
 
-enum bvh8_param { P_SPLIT, P_LEAF, P_ISA, P_INTERLEAVE };
+enum bvh8_param { P_SPLIT, P_LEAF, P_ISA, P_INTERLEAVE, P_BUILD };
+enum { BUILD_SAH, BUILD_FAST };
 
 /* ---- building ---- */
 
@@ -113,6 +114,7 @@ struct seat { /* of a node: the twig it is made of, and where its first of each 
 
 struct part { /* of the wide tree: what one job makes, numbered from 0 each */
 	struct seat *seat;
+	uint32_t twig; /* its root, among the top's */
 	uint32_t seats, blocks, others, leaves, depth;
 	uint32_t node, block, other; /* where those are in the whole */
 	uint64_t refs;
@@ -125,6 +127,7 @@ struct builder {
 	const double *value;
 	ald_accel *a;
 	struct ref *ref, *spare; /* spare: of the same size, for parallel sorting */
+	uint64_t *key; /* instead of ref, building fast: of a place on a curve, and below that of a primitive */
 	struct twig *twig;
 	void *task; /* ranges that were one job each */
 	float *corner; /* of triangles, three times x, y, z, 0; NULL: none is to be cut */
@@ -136,13 +139,15 @@ struct builder {
 };
 
 void *bvh8_take(const ald_host *, uint64_t n, size_t each, const char *what);
-int bvh8_refs(struct builder *); /* ref[] from the primitives */
+int bvh8_refs(struct builder *); /* ref[] or key[] from the primitives */
 int bvh8_split(struct builder *); /* corner[] and room, if triangles are to be cut */
 int bvh8_tree(struct builder *, int (*make)(struct builder *)); /* ref[] in order, and twig[] */
 int bvh8_sah_base(struct builder *);
 int bvh8_sah_avx2(struct builder *);
-void bvh8_seat(struct builder *, uint32_t task, uint32_t root); /* nodes of a task's tree get places */
-uint32_t bvh8_task_twig(const struct builder *, uint32_t task);
+int bvh8_fast(struct builder *, void (*crop)(void *fast, uint32_t i)); /* key[] in order, and twig[] */
+void bvh8_crop_base(void *fast, uint32_t i);
+void bvh8_crop_avx2(void *fast, uint32_t i);
+void bvh8_seat(struct builder *, struct part *, uint32_t root); /* nodes of a task's tree get places */
 int bvh8_widen(struct builder *); /* twig[] to what rays walk through */
 void bvh8_destroy(ald_accel *);
 

@@ -7,7 +7,8 @@
 #if defined __linux__ && !defined _DEFAULT_SOURCE
 #define _DEFAULT_SOURCE /* madvise() */
 #endif
-#include "bvh8.h"
+#include "bvh8_corner.h"
+#include "bvh8_fast.h"
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -35,80 +36,82 @@ void *bvh8_take(const ald_host *host, uint64_t n, size_t each, const char *what)
 struct chunk {
 	ald_box box;
 	uint32_t valid; /* primitives that can be hit; then: where its first reference goes */
+	uint32_t all; /* whether all can */
 };
 
 struct scan {
 	struct builder *b;
 	struct chunk *chunk;
+	struct grid grid;
 };
-
-static int same(const ald_vec *a, const ald_vec *b)
-{
-	return a->x == b->x && a->y == b->y && a->z == b->z;
-}
-
-/* 0: it can't be hit: some number is none, or two corners are one, and no line meets that. Triangles:
- * the box that holds them tightly, which the rays' errors take care of. */
-static int box_of(const ald_prims *p, uint32_t id, ald_box *box)
-{
-	ald_vec v[3];
-	double sum = 0;
-
-	if (id >= p->tri_count) {
-		p->bounds(p, id, box);
-		return 1;
-	}
-	ald_corners(p, id, p->origin ? ald_group_of(p, id) : 0, v);
-	*box = (ald_box){ v[0], v[0] };
-	for (unsigned k = 0; k < 3; k++) {
-		ald_box point = { v[k], v[k] };
-
-		ald_box_join(box, &point);
-		sum += (v[k].x - v[k].x) + (v[k].y - v[k].y) + (v[k].z - v[k].z);
-	}
-	return sum == 0 && !same(&v[0], &v[1]) && !same(&v[1], &v[2]) && !same(&v[2], &v[0]);
-}
 
 /* The triangles with the outermost sides: no other's bounds, grown by the same, can be farther out. */
 struct outer {
-	double side[6]; /* low, and high negated */
-	uint32_t id[6];
+	d2 lo_xy, hi_xy, lo_z, hi_z;
+	uint32_t id[6]; /* low sides, high sides */
 };
 
-static void outer_add(struct outer *o, const ald_box *box, uint32_t id)
+static void outer_add(struct outer *o, d2 lo_xy, d2 lo_z, d2 hi_xy, d2 hi_z, uint32_t id)
 {
-	for (unsigned k = 0; k < 6; k++) {
-		double x = k < 3 ? ald_get(&box->lo, k) : -ald_get(&box->hi, k - 3);
+	unsigned lo = d2_less(lo_xy, o->lo_xy) | d2_less(lo_z, o->lo_z) << 2;
+	unsigned hi = d2_less(o->hi_xy, hi_xy) | d2_less(o->hi_z, hi_z) << 2;
 
-		if (x < o->side[k]) {
-			o->side[k] = x;
+	if (!(lo | hi))
+		return;
+	o->lo_xy = d2_min(lo_xy, o->lo_xy);
+	o->lo_z = d2_min(lo_z, o->lo_z);
+	o->hi_xy = d2_max(hi_xy, o->hi_xy);
+	o->hi_z = d2_max(hi_z, o->hi_z);
+	for (unsigned k = 0; k < 3; k++) {
+		if (lo >> k & 1)
 			o->id[k] = id;
-		}
+		if (hi >> k & 1)
+			o->id[3 + k] = id;
 	}
+}
+
+/* 0: it can't be hit: some number is none, or two corners are one, and no line meets that. */
+static int can_be_hit(const struct corners *c)
+{
+	unsigned number = 3;
+	d2 none = d2_two(0, 0);
+
+	UNROLL for (unsigned k = 0; k < 3; k++) {
+		number &= d2_same(d2_sub(c->xy[k], c->xy[k]), none) & d2_same(d2_sub(c->z[k], c->z[k]), none);
+		if ((d2_same(c->xy[k], c->xy[(k + 1) % 3]) & d2_same(c->z[k], c->z[(k + 1) % 3])) == 3)
+			return 0;
+	}
+	return number == 3;
 }
 
 static void scan_job(void *arg, uint32_t job)
 {
 	struct scan *s = arg;
 	const ald_prims *p = s->b->prims;
-	struct chunk c = { ald_box_empty(), 0 };
+	struct chunk c = { ald_box_empty(), 0, 0 };
 	uint32_t end = p->count - job * CHUNK < CHUNK ? p->count : (job + 1) * CHUNK, first = job * CHUNK;
-	struct outer o;
+	struct outer o = { .lo_xy = d2_two(DBL_MAX, DBL_MAX), .hi_xy = d2_two(-DBL_MAX, -DBL_MAX) };
+	struct corners v;
 	ald_box box;
 
-	for (unsigned k = 0; k < 6; k++) {
-		o.side[k] = DBL_MAX;
+	o.lo_z = o.lo_xy;
+	o.hi_z = o.hi_xy;
+	for (unsigned k = 0; k < 6; k++)
 		o.id[k] = first;
-	}
 	for (uint32_t id = first; id < end; id++) {
-		int valid = box_of(p, id, &box);
+		int valid = 1;
 
+		if (id < p->tri_count) {
+			read_corners(p, id, &v);
+			valid = can_be_hit(&v);
+		}
 		c.valid += (uint32_t)valid;
 		if (!valid || id >= p->tri_count) {
 			p->bounds(p, id, &box);
 			ald_box_join(&c.box, &box);
 		} else {
-			outer_add(&o, &box, id);
+			outer_add(&o, d2_min(d2_min(v.xy[0], v.xy[1]), v.xy[2]), d2_min(d2_min(v.z[0], v.z[1]), v.z[2]),
+				  d2_max(d2_max(v.xy[0], v.xy[1]), v.xy[2]), d2_max(d2_max(v.z[0], v.z[1]), v.z[2]), id);
 		}
 	}
 	for (unsigned k = 0; k < 6; k++) {
@@ -118,25 +121,37 @@ static void scan_job(void *arg, uint32_t job)
 	s->chunk[job] = c;
 }
 
+static int is_valid(const ald_prims *p, uint32_t id)
+{
+	struct corners v;
+
+	if (id >= p->tri_count)
+		return 1;
+	read_corners(p, id, &v);
+	return can_be_hit(&v);
+}
+
 static void ref_job(void *arg, uint32_t job)
 {
 	struct scan *s = arg;
 	const struct builder *b = s->b;
 	const ald_prims *p = b->prims;
 	uint32_t end = p->count - job * CHUNK < CHUNK ? p->count : (job + 1) * CHUNK;
-	struct ref *r = b->ref + s->chunk[job].valid;
-	ald_box box;
+	uint32_t at = s->chunk[job].valid, all = s->chunk[job].all;
+	struct to_x x = to_x(b->a);
+	hull h;
 
 	for (uint32_t id = job * CHUNK; id < end; id++) {
-		if (!box_of(p, id, &box))
+		if (!all && !is_valid(p, id))
 			continue;
-		for (unsigned k = 0; k < 3; k++) {
-			r->lo[k] = ald_float_down((ald_get(&box.lo, k) - b->a->centre[k]) * b->a->scale);
-			r->minus_hi[k] = -ald_float_up((ald_get(&box.hi, k) - b->a->centre[k]) * b->a->scale);
+		h = prim_hull(b->a, &x, p, id);
+		if (b->key) {
+			b->key[at++] = grid_key(&s->grid, hull_mid(h), id);
+			continue;
 		}
-		r->id = id;
-		r->zero = 0;
-		r++;
+		ref_store(&b->ref[at], h);
+		b->ref[at].id = id;
+		b->ref[at++].zero = 0;
 	}
 }
 
@@ -159,11 +174,23 @@ static void place(ald_accel *a, const ald_box *box)
 	a->frame = ald_frame_for(a->prims, &a->box);
 }
 
+/* Cells for the middles, doubled, of all that is in the scene's box. */
+static struct grid scene_grid(const ald_accel *a)
+{
+	float half[4] __attribute__((aligned(16))) = { 0 }, most = 0;
+
+	for (unsigned k = 0; k < 3; k++) {
+		half[k] = (float)((ald_get(&a->box.hi, k) - a->centre[k]) * a->scale);
+		most = half[k] > most ? half[k] : most;
+	}
+	return grid_of(q4_mul(q4_load(half), q4_all(-2)), 4 * most, CELLS);
+}
+
 int bvh8_refs(struct builder *b)
 {
 	const ald_host *h = b->host;
 	uint32_t jobs = (b->prims->count + CHUNK - 1) / CHUNK, refs = 0;
-	struct scan s = { b, bvh8_take(h, jobs, sizeof(*s.chunk), "bvh8: building") };
+	struct scan s = { .b = b, .chunk = bvh8_take(h, jobs, sizeof(*s.chunk), "bvh8: building") };
 	ald_box box = ald_box_empty();
 
 	if (!s.chunk)
@@ -173,6 +200,7 @@ int bvh8_refs(struct builder *b)
 		uint32_t n = s.chunk[i].valid;
 
 		ald_box_join(&box, &s.chunk[i].box);
+		s.chunk[i].all = n == (b->prims->count - i * CHUNK < CHUNK ? b->prims->count - i * CHUNK : CHUNK);
 		s.chunk[i].valid = refs;
 		refs += n;
 	}
@@ -180,9 +208,13 @@ int bvh8_refs(struct builder *b)
 		box = (ald_box){ { 0, 0, 0 }, { 0, 0, 0 } };
 	place(b->a, &box);
 	b->refs = b->room = refs;
-	b->ref = bvh8_take(h, refs, sizeof(*b->ref), "bvh8: building");
-	if (b->ref)
+	if (b->value[P_BUILD] == BUILD_FAST)
+		b->key = bvh8_take(h, refs, sizeof(*b->key), "bvh8: building");
+	else
+		b->ref = bvh8_take(h, refs, sizeof(*b->ref), "bvh8: building");
+	s.grid = scene_grid(b->a);
+	if (b->ref || b->key)
 		h->parallel(h->ctx, jobs, ref_job, &s);
 	h->free(h->ctx, s.chunk);
-	return b->ref ? ALD_OK : ALD_NO_MEMORY;
+	return b->ref || b->key ? ALD_OK : ALD_NO_MEMORY;
 }

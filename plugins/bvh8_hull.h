@@ -18,6 +18,12 @@
 
 #define V static inline __attribute__((always_inline, unused))
 #define FAR 0x1p100f
+/* A loop of few turns, known when compiled: what it keeps in arrays stays in registers. */
+#ifdef __clang__
+#define UNROLL _Pragma("clang loop unroll(full)")
+#else
+#define UNROLL _Pragma("GCC unroll 8")
+#endif
 
 #if defined __SSE2__
 typedef __m128 q4;
@@ -33,6 +39,8 @@ V q4 q4_max(q4 a, q4 b) { return _mm_max_ps(a, b); }
 V void q4_whole(q4 a, int32_t n[4]) { _mm_storeu_si128((__m128i *)(void *)n, _mm_cvttps_epi32(a)); }
 /* The fourth lane 0. */
 V q4 q4_three(q4 a) { return _mm_and_ps(a, _mm_castsi128_ps(_mm_set_epi32(0, -1, -1, -1))); }
+V unsigned q4_same(q4 a, q4 b) { return (unsigned)_mm_movemask_ps(_mm_cmpeq_ps(a, b)); }
+V void q4_turn(q4 a[4]) { _MM_TRANSPOSE4_PS(a[0], a[1], a[2], a[3]); }
 #else
 typedef struct {
 	float x[4];
@@ -50,6 +58,14 @@ V q4 q4_min(q4 a, q4 b) { EACHQ a.x[i] = a.x[i] < b.x[i] ? a.x[i] : b.x[i]; retu
 V q4 q4_max(q4 a, q4 b) { EACHQ a.x[i] = a.x[i] > b.x[i] ? a.x[i] : b.x[i]; return a; }
 V void q4_whole(q4 a, int32_t n[4]) { EACHQ n[i] = (int32_t)a.x[i]; }
 V q4 q4_three(q4 a) { a.x[3] = 0; return a; }
+V unsigned q4_same(q4 a, q4 b) { unsigned m = 0; EACHQ m |= (unsigned)(a.x[i] == b.x[i]) << i; return m; }
+V void q4_turn(q4 a[4])
+{
+	q4 b[4] = { a[0], a[1], a[2], a[3] };
+
+	for (unsigned k = 0; k < 4; k++)
+		EACHQ a[k].x[i] = b[i].x[k];
+}
 #endif
 
 V q4 q4_negate(q4 a) { return q4_sub(q4_all(-0.0f), a); }
@@ -64,6 +80,11 @@ V hull hull_common(hull a, hull b) { return _mm256_max_ps(a, b); }
 V q4 hull_lo(hull a) { return _mm256_castps256_ps128(a); }
 V q4 hull_minus_hi(hull a) { return _mm256_extractf128_ps(a, 1); }
 V hull hull_make(q4 lo, q4 minus_hi) { return _mm256_insertf128_ps(_mm256_castps128_ps256(lo), minus_hi, 1); }
+/* As eight floats of any kind. */
+V hull hull_loose(const float *p) { return _mm256_loadu_ps(p); }
+V hull hull_all(float x) { return _mm256_set1_ps(x); }
+V hull hull_add(hull a, hull b) { return _mm256_add_ps(a, b); }
+V hull hull_mul(hull a, hull b) { return _mm256_mul_ps(a, b); }
 #else
 typedef struct {
 	q4 lo, minus_hi;
@@ -76,7 +97,60 @@ V hull hull_common(hull a, hull b) { return (hull){ q4_max(a.lo, b.lo), q4_max(a
 V q4 hull_lo(hull a) { return a.lo; }
 V q4 hull_minus_hi(hull a) { return a.minus_hi; }
 V hull hull_make(q4 lo, q4 minus_hi) { return (hull){ lo, minus_hi }; }
+V hull hull_loose(const float *p)
+{
+	hull r;
+
+	memcpy(&r, p, sizeof(r));
+	return r;
+}
+V hull hull_all(float x) { return (hull){ q4_all(x), q4_all(x) }; }
+V hull hull_add(hull a, hull b) { return (hull){ q4_add(a.lo, b.lo), q4_add(a.minus_hi, b.minus_hi) }; }
+V hull hull_mul(hull a, hull b) { return (hull){ q4_mul(a.lo, b.lo), q4_mul(a.minus_hi, b.minus_hi) }; }
 #endif
+
+/* Numbers that are not negative, with the lowest bits replaced. */
+V hull hull_mark(hull a, uint32_t mask, const uint32_t bits[8])
+{
+#if defined HULL_AVX2
+	__m256 x = _mm256_andnot_ps(_mm256_castsi256_ps(_mm256_set1_epi32((int)mask)), a);
+
+	return _mm256_or_ps(x, _mm256_load_ps((const float *)(const void *)bits));
+#elif defined __SSE2__
+	__m128 m = _mm_castsi128_ps(_mm_set1_epi32((int)mask));
+	const float *b = (const float *)(const void *)bits;
+
+	return (hull){ _mm_or_ps(_mm_andnot_ps(m, a.lo), _mm_load_ps(b)),
+		       _mm_or_ps(_mm_andnot_ps(m, a.minus_hi), _mm_load_ps(b + 4)) };
+#else
+	for (unsigned i = 0; i < 8; i++) {
+		float *p = i < 4 ? &a.lo.x[i] : &a.minus_hi.x[i - 4];
+		uint32_t x;
+
+		memcpy(&x, p, sizeof(x));
+		x = (x & ~mask) | bits[i];
+		memcpy(p, &x, sizeof(x));
+	}
+	return a;
+#endif
+}
+
+/* The bits of the least of the eight. */
+V uint32_t hull_least(hull a)
+{
+	q4 m = q4_min(hull_lo(a), hull_minus_hi(a));
+#if defined __SSE2__
+	m = _mm_min_ps(m, _mm_movehl_ps(m, m));
+	return (uint32_t)_mm_cvtsi128_si32(_mm_castps_si128(_mm_min_ss(m, _mm_shuffle_ps(m, m, 1))));
+#else
+	uint32_t bits;
+
+	for (unsigned i = 1; i < 4; i++)
+		m.x[0] = m.x[i] < m.x[0] ? m.x[i] : m.x[0];
+	memcpy(&bits, &m.x[0], sizeof(bits));
+	return bits;
+#endif
+}
 
 V hull hull_none(void)
 {
@@ -148,7 +222,7 @@ V void set_twig(struct twig *t, const struct range *r, uint32_t kid, uint32_t co
 
 	q4_store(lo, hull_lo(r->box));
 	q4_store(hi, hull_minus_hi(r->box));
-	for (unsigned k = 0; k < 3; k++) {
+	UNROLL for (unsigned k = 0; k < 3; k++) {
 		t->lo[k] = lo[k];
 		t->hi[k] = -hi[k];
 	}

@@ -36,11 +36,6 @@ int bvh8_tree(struct builder *b, int (*make)(struct builder *))
 	return make(b);
 }
 
-uint32_t bvh8_task_twig(const struct builder *b, uint32_t task)
-{
-	return ((const struct range *)b->task)[task].twig;
-}
-
 int bvh8_sah_base(struct builder *b)
 {
 	return sah(b);

@@ -92,9 +92,9 @@ static void task_job(void *arg, uint32_t i)
 	struct range *t = &((struct range *)b->task)[i];
 	struct grower g = { .b = b, .kids = b->twigs_a_ref * t->first };
 
-	b->part[i + 1] = (struct part){ .seat = b->seat + (size_t)b->twigs_a_ref * t->first / 2 };
+	b->part[i + 1] = (struct part){ .seat = b->seat + (size_t)b->twigs_a_ref * t->first / 2, .twig = t->twig };
 	grow(&g, t);
-	bvh8_seat(b, i, t->twig);
+	bvh8_seat(b, &b->part[i + 1], t->twig);
 }
 
 static int cut_pieces(struct level *l)

@@ -5,7 +5,7 @@
  * triangles to blocks: one pass gives every node and leaf its place, depth first and siblings side by side;
  * a second one, parallel, fills them.
  */
-#include "bvh8.h"
+#include "bvh8_corner.h"
 
 struct widener {
 	struct builder *b;
@@ -67,9 +67,14 @@ static uint32_t open_twig(const struct widener *w, const struct part *p, uint32_
 	return n;
 }
 
+V uint32_t id_of(const struct builder *b, uint32_t ref)
+{
+	return b->key ? (uint32_t)b->key[ref] : b->ref[ref].id;
+}
+
 static int holds_others(const struct builder *b, const struct twig *t)
 {
-	return b->prims->tri_count < b->prims->count && b->ref[t->kid].id >= b->prims->tri_count;
+	return b->prims->tri_count < b->prims->count && id_of(b, t->kid) >= b->prims->tri_count;
 }
 
 static uint32_t blocks_of(const struct twig *t)
@@ -148,62 +153,62 @@ static void seat_part(const struct widener *w, struct part *p, uint32_t root)
 }
 
 /* While its twigs are at hand. */
-void bvh8_seat(struct builder *b, uint32_t task, uint32_t root)
+void bvh8_seat(struct builder *b, struct part *p, uint32_t root)
 {
 	const struct widener w = { .b = b };
 
 	if (!b->twig[root].count)
-		seat_part(&w, &b->part[task + 1], root);
+		seat_part(&w, p, root);
 }
 
-static void fill_block(const struct builder *b, struct block *n, const struct ref *ref, uint32_t count)
+static void fill_block(const struct builder *b, struct block *n, uint32_t ref, uint32_t count)
 {
-	const ald_accel *a = b->a;
-	const ald_prims *p = b->prims;
+	struct to_x to = to_x(b->a);
+	q4 v[3][4];
 
-	memset(n, 0, sizeof(*n));
-	for (unsigned i = 0; i < SEATS; i++) {
-		float size = 0;
-		ald_vec v[3];
+	UNROLL for (unsigned i = 0; i < SEATS; i++) {
+		float size[4] __attribute__((aligned(16)));
+		struct corners c;
+		q4 x[3], d;
 
-		n->id[i] = ALD_NONE;
-		n->slack[i] = -1;
-		if (i >= count)
+		if (i >= count) {
+			n->id[i] = ALD_NONE;
+			n->slack[i] = -1;
+			v[0][i] = v[1][i] = v[2][i] = q4_all(0);
 			continue;
-		n->id[i] = ref[i].id;
-		ald_corners(p, ref[i].id, p->origin ? ald_group_of(p, ref[i].id) : 0, v);
-		for (unsigned k = 0; k < 3; k++) {
-			float x[3];
-
-			for (unsigned j = 0; j < 3; j++) {
-				x[j] = (float)((ald_get(&v[j], k) - a->centre[k]) * a->scale);
-				n->v[j][k][i] = x[j];
-			}
-			for (unsigned j = 0; j < 3; j++) {
-				float d = fabsf(x[j] - x[(j + 1) % 3]);
-
-				size = d > size ? d : size;
-			}
 		}
-		n->slack[i] = EDGE_ERROR * (12 * (size + 4 * EDGE_ERROR) + 4 * EDGE_ERROR);
+		n->id[i] = id_of(b, ref + i);
+		read_corners(b->prims, n->id[i], &c);
+		corners_x(&to, &c, x);
+		d = q4_max(q4_size(q4_sub(x[0], x[1])), q4_size(q4_sub(x[1], x[2])));
+		q4_store(size, q4_max(d, q4_size(q4_sub(x[2], x[0]))));
+		size[0] = size[0] > size[1] ? size[0] : size[1];
+		size[0] = size[0] > size[2] ? size[0] : size[2];
+		n->slack[i] = EDGE_ERROR * (12 * (size[0] + 4 * EDGE_ERROR) + 4 * EDGE_ERROR);
+		UNROLL for (unsigned k = 0; k < 3; k++)
+			v[k][i] = x[k];
+	}
+	UNROLL for (unsigned k = 0; k < 3; k++) {
+		q4_turn(v[k]);
+		UNROLL for (unsigned j = 0; j < 3; j++)
+			q4_store(n->v[k][j], v[k][j]);
 	}
 }
 
 static void fill_leaf(const struct builder *b, uint32_t ref, const struct twig *t)
 {
 	ald_accel *a = b->a;
-	const struct ref *from = b->ref + t->kid;
 
 	if (ref >= REF_OTHERS) {
 		uint32_t *to = &a->other[ref & REF_INDEX];
 
 		*to++ = t->count;
 		for (uint32_t i = 0; i < t->count; i++)
-			*to++ = from[i].id;
+			*to++ = id_of(b, t->kid + i);
 		return;
 	}
 	for (uint32_t i = 0; i < t->count; i += SEATS)
-		fill_block(b, &a->block[(ref & REF_INDEX) + i / SEATS], from + i,
+		fill_block(b, &a->block[(ref & REF_INDEX) + i / SEATS], t->kid + i,
 			   t->count - i < SEATS ? t->count - i : SEATS);
 }
 
@@ -253,12 +258,12 @@ static void fetch_leaves(const struct builder *b, const struct opened *o, unsign
 		const struct twig *t = &b->twig[o->kid[k]];
 
 		for (uint32_t i = 0; i < t->count; i++) {
-			const struct ref *r = &b->ref[t->kid + i];
+			uint32_t ref = t->kid + i, id;
 
 			if (!step) {
-				__builtin_prefetch(r);
-			} else if (r->id < p->tri_count) {
-				const uint32_t *v = p->index + 3 * (size_t)r->id;
+				__builtin_prefetch(b->key ? (const void *)&b->key[ref] : &b->ref[ref]);
+			} else if ((id = id_of(b, ref)) < p->tri_count) {
+				const uint32_t *v = p->index + 3 * (size_t)id;
 
 				if (step == 1)
 					__builtin_prefetch(v);
@@ -326,7 +331,7 @@ static int seat_top(struct widener *w)
 		return ALD_NO_MEMORY;
 	memset(w->owner, 0, twigs * sizeof(*w->owner));
 	for (uint32_t i = 0; i < b->tasks; i++)
-		w->owner[bvh8_task_twig(b, i) - b->root] = i + 1;
+		w->owner[b->part[i + 1].twig - b->root] = i + 1;
 	if (b->top)
 		seat_part(w, b->part, b->root);
 	return ALD_OK;

@@ -1,0 +1,11 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * The fast builder's jobs, for any processor.
+ */
+#include "bvh8_crop.h"
+
+void bvh8_crop_base(void *fast, uint32_t i)
+{
+	crop_job(fast, i);
+}

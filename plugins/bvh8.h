@@ -133,7 +133,7 @@ struct builder {
 	float *corner; /* of triangles, three times x, y, z, 0; NULL: none is to be cut */
 	float whole; /* half the area of the scene's box */
 	struct part *part; /* the top, and then the tasks */
-	struct seat *seat;
+	struct seat *seat, *top_seat;
 	uint32_t refs, room; /* room: how many refs there may be */
 	uint32_t twigs_a_ref, root, top, tasks; /* top: twigs above the tasks */
 };

@@ -1,7 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * Building a bvh8: boxes of the primitives, then a binary tree over them (bvh8_sah.c, bvh8_morton.c), then
+ * Building a bvh8: boxes of the primitives, then a binary tree over them (bvh8_sah.c, bvh8_fast.c), then
  * the wide one (bvh8_wide.c).
  */
 #if defined __linux__ && !defined _DEFAULT_SOURCE
@@ -51,8 +51,10 @@ struct outer {
 	uint32_t id[6]; /* low sides, high sides */
 };
 
-static void outer_add(struct outer *o, d2 lo_xy, d2 lo_z, d2 hi_xy, d2 hi_z, uint32_t id)
+static void outer_add(struct outer *o, const struct corners *v, uint32_t id)
 {
+	d2 lo_xy = d2_min(d2_min(v->xy[0], v->xy[1]), v->xy[2]), lo_z = d2_min(d2_min(v->z[0], v->z[1]), v->z[2]);
+	d2 hi_xy = d2_max(d2_max(v->xy[0], v->xy[1]), v->xy[2]), hi_z = d2_max(d2_max(v->z[0], v->z[1]), v->z[2]);
 	unsigned lo = d2_less(lo_xy, o->lo_xy) | d2_less(lo_z, o->lo_z) << 2;
 	unsigned hi = d2_less(o->hi_xy, hi_xy) | d2_less(o->hi_z, hi_z) << 2;
 
@@ -77,7 +79,8 @@ static int can_be_hit(const struct corners *c)
 	d2 none = d2_two(0, 0);
 
 	UNROLL for (unsigned k = 0; k < 3; k++) {
-		number &= d2_same(d2_sub(c->xy[k], c->xy[k]), none) & d2_same(d2_sub(c->z[k], c->z[k]), none);
+		number &= d2_same(d2_sub(c->xy[k], c->xy[k]), none);
+		number &= d2_same(d2_sub(c->z[k], c->z[k]), none);
 		if ((d2_same(c->xy[k], c->xy[(k + 1) % 3]) & d2_same(c->z[k], c->z[(k + 1) % 3])) == 3)
 			return 0;
 	}
@@ -110,8 +113,7 @@ static void scan_job(void *arg, uint32_t job)
 			p->bounds(p, id, &box);
 			ald_box_join(&c.box, &box);
 		} else {
-			outer_add(&o, d2_min(d2_min(v.xy[0], v.xy[1]), v.xy[2]), d2_min(d2_min(v.z[0], v.z[1]), v.z[2]),
-				  d2_max(d2_max(v.xy[0], v.xy[1]), v.xy[2]), d2_max(d2_max(v.z[0], v.z[1]), v.z[2]), id);
+			outer_add(&o, &v, id);
 		}
 	}
 	for (unsigned k = 0; k < 6; k++) {

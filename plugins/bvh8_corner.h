@@ -13,7 +13,10 @@ typedef __m128d d2;
 
 V d2 d2_load(const double *p) { return _mm_loadu_pd(p); }
 V d2 d2_two(double x, double y) { return _mm_set_pd(y, x); }
-V d2 d2_floats(const float *p) { return _mm_cvtps_pd(_mm_castsi128_ps(_mm_loadl_epi64((const __m128i *)(const void *)p))); }
+V d2 d2_floats(const float *p)
+{
+	return _mm_cvtps_pd(_mm_castsi128_ps(_mm_loadl_epi64((const __m128i *)(const void *)p)));
+}
 V d2 d2_add(d2 a, d2 b) { return _mm_add_pd(a, b); }
 V d2 d2_sub(d2 a, d2 b) { return _mm_sub_pd(a, b); }
 V d2 d2_mul(d2 a, d2 b) { return _mm_mul_pd(a, b); }
@@ -22,7 +25,7 @@ V d2 d2_max(d2 a, d2 b) { return _mm_max_pd(a, b); }
 V unsigned d2_same(d2 a, d2 b) { return (unsigned)_mm_movemask_pd(_mm_cmpeq_pd(a, b)); }
 V unsigned d2_less(d2 a, d2 b) { return (unsigned)_mm_movemask_pd(_mm_cmplt_pd(a, b)); }
 V void d2_store(double *p, d2 a) { _mm_storeu_pd(p, a); }
-V q4 q4_round(d2 xy, d2 z0) { return _mm_movelh_ps(_mm_cvtpd_ps(xy), _mm_cvtpd_ps(z0)); }
+V q4 q4_round(d2 a, d2 b) { return _mm_movelh_ps(_mm_cvtpd_ps(a), _mm_cvtpd_ps(b)); }
 V q4 q4_size(q4 a) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), a); }
 #else
 typedef struct {
@@ -50,14 +53,14 @@ struct corners { /* x and y, z and 0 */
 	d2 xy[3], z[3];
 };
 
-V void read_corners(const ald_prims *p, uint32_t id, struct corners *c)
+V void read_kind(const ald_prims *p, uint32_t id, struct corners *c, int as_double)
 {
 	const uint32_t *index = p->index + 3 * (size_t)id;
 
 	UNROLL for (unsigned k = 0; k < 3; k++) {
 		size_t i = 3 * (size_t)index[k];
 
-		if (p->vertex_double) {
+		if (as_double) {
 			const double *v = (const double *)p->vertex + i;
 
 			c->xy[k] = d2_load(v);
@@ -69,6 +72,14 @@ V void read_corners(const ald_prims *p, uint32_t id, struct corners *c)
 			c->z[k] = d2_two((double)v[2], 0);
 		}
 	}
+}
+
+V void read_corners(const ald_prims *p, uint32_t id, struct corners *c)
+{
+	if (p->vertex_double)
+		read_kind(p, id, c, 1);
+	else
+		read_kind(p, id, c, 0);
 	if (p->origin) {
 		const ald_vec *o = &p->origin[ald_group_of(p, id)];
 

@@ -12,6 +12,7 @@
 #include "bvh8_corner.h"
 #include "bvh8_fast.h"
 
+#define ROUNDS 20u
 #define REACH 8u /* neighbours to each side that are looked at */
 #define FINE 128.0f /* cells to a side */
 #define LOW 11u /* of their codes' bits, those that are sorted by first */
@@ -82,6 +83,7 @@ static void crop_order(const struct fast *f, const struct crop *c, struct ref *r
 	uint64_t *key = b->key + c->first;
 	float size[4] __attribute__((aligned(16))), most;
 	struct ref from[CROP] __attribute__((aligned(32)));
+	uint64_t spare[CROP];
 	struct to_x x = to_x(b->a);
 	struct range r;
 	struct grid g;
@@ -102,7 +104,7 @@ static void crop_order(const struct fast *f, const struct crop *c, struct ref *r
 	g = grid_of(r.lo, most, FINE);
 	for (uint32_t i = 0; i < c->count; i++)
 		key[i] = grid_key(&g, hull_mid(ref_hull(&from[i])), i);
-	sort_keys(key, f->spare + c->first, c->count);
+	sort_keys(key, spare, c->count);
 	for (uint32_t i = 0; i < c->count; i++) {
 		ref_store(&ref[i], ref_hull(&from[(uint32_t)key[i]]));
 		key[i] = ref[i].id;
@@ -290,18 +292,17 @@ static uint32_t row_join(struct row *r, struct twig *twig, uint32_t kids, uint32
 	return kids;
 }
 
-/* Until there are few. Where hardly any find each other, neighbours are joined as they stand, so that no tree is
- * deeper than 60 twigs. */
+/* Until there are few. Where hardly any find each other, and after ROUNDS, neighbours are joined as they stand: no
+ * tree is deeper than DEEP. */
 static uint32_t row_reduce(struct row *r, struct twig *twig, uint32_t kids)
 {
 	uint32_t near[CROP], was = 2 * r->n;
 
-	while (r->n > TIPS) {
+	for (uint32_t round = 0; r->n > TIPS; round++) {
 		row_close(r);
-		if (r->n > was - was / 10) {
+		if (r->n > was - was / 10 || round >= ROUNDS) {
 			for (uint32_t i = 0; i < r->n; i++)
 				near[i] = (i ^ 1) < r->n ? i ^ 1 : i;
-			near[r->n] = r->n;
 		} else {
 			row_nearest(r, near);
 		}

@@ -11,11 +11,10 @@
 #include "bvh8_fast.h"
 #include "bvh8_part.h"
 
-#define STEEP 28u /* levels of the top after which ranges are halved */
 #define PIECE 32768u /* references that one job looks at together */
 #define LOW_BITS 11u /* of a code, sorted first */
 #define HIGH_BITS 10u
-#define ROUNDS 6u /* cells in cells */
+#define ZOOMS 6u /* cells in cells */
 
 struct sorter {
 	const struct fast *f;
@@ -184,7 +183,7 @@ static int make_crops(struct fast *f, uint32_t first, uint32_t n, uint32_t round
 {
 	const ald_host *h = f->b->host;
 	struct sorter s = { .f = f, .from = f->b->key, .to = f->spare, .first = first, .n = n };
-	int status = ALD_OK, more = n > CROP && round < ROUNDS;
+	int status = ALD_OK, more = n > CROP && round < ZOOMS;
 
 	if (h->progress(h->ctx, 0.1))
 		return ALD_CANCELLED;
@@ -217,6 +216,7 @@ struct crown {
 	struct builder *b;
 	const struct twig *tip;
 	uint32_t twigs; /* where the next two go */
+	uint32_t steep; /* levels after which ranges are halved, so that no tree is deeper than LEVELS_MAX */
 };
 
 /* id: of a reference, the part which it stands for. */
@@ -233,7 +233,7 @@ static void crown_grow(struct crown *c, struct ref *ref, struct range *r)
 		b->part[1 + ref->id].twig = r->twig;
 		return;
 	}
-	if (r->depth < STEEP) {
+	if (r->depth < c->steep) {
 		bins_begin(&bins, r);
 		bins_add(&bins, ref, r->count);
 		s = best_split(&bins);
@@ -276,7 +276,7 @@ static int crown(struct fast *f)
 {
 	struct builder *b = f->b;
 	const ald_host *h = b->host;
-	struct crown c = { b, f->tip, b->root + 1 };
+	struct crown c = { .b = b, .tip = f->tip, .twigs = b->root + 1, .steep = LEVELS_MAX - DEEP };
 	struct range root = { .twig = b->root };
 	struct ref *ref;
 
@@ -292,6 +292,8 @@ static int crown(struct fast *f)
 			ref[i].minus_hi[k] = -f->tip[i].hi[k];
 		}
 	}
+	for (uint32_t n = root.count; n; n /= 2)
+		c.steep -= c.steep > 0;
 	measure(ref, root.count, &root);
 	b->whole = hull_area(root.box) > 0 ? hull_area(root.box) : 1;
 	crown_grow(&c, ref, &root);
@@ -300,46 +302,55 @@ static int crown(struct fast *f)
 	return ALD_OK;
 }
 
-static int take_room(struct fast *f)
+/* What does not depend on how many crops there will be. The room of seats serves for sorting before. */
+static int take_first(struct fast *f)
 {
 	struct builder *b = f->b;
 	const ald_host *h = b->host;
 	int one = b->value[P_LEAF] < SEATS || b->prims->tri_count < b->prims->count;
-	uint64_t twigs, tips = TIPS * (uint64_t)f->crops;
 
 	b->twigs_a_ref = one ? 2 : 1;
-	twigs = b->twigs_a_ref * (uint64_t)b->refs;
-	if (twigs + 2 * tips > UINT32_MAX)
+	if (b->refs > UINT32_MAX / 4)
 		return ALD_NO_MEMORY;
-	b->root = (uint32_t)twigs;
-	b->twig = bvh8_take(h, twigs + 2 * tips, sizeof(*b->twig), "bvh8: building");
-	b->seat = bvh8_take(h, twigs / 2 + 2 * tips, sizeof(*b->seat), "bvh8: building");
+	b->root = b->twigs_a_ref * b->refs;
+	f->room = 2 * (b->refs / CROP) + 8;
+	f->crop = bvh8_take(h, f->room, sizeof(*f->crop), "bvh8: building");
+	b->seat = bvh8_take(h, (b->root + 1) / 2, sizeof(*b->seat), "bvh8: building");
+	f->spare = (uint64_t *)(void *)b->seat;
+	return f->crop && b->seat ? ALD_OK : ALD_NO_MEMORY;
+}
+
+static int take_rest(struct fast *f)
+{
+	struct builder *b = f->b;
+	const ald_host *h = b->host;
+	uint64_t tips = TIPS * (uint64_t)f->crops;
+
+	b->twig = bvh8_take(h, b->root + 2 * tips, sizeof(*b->twig), "bvh8: building");
+	b->top_seat = bvh8_take(h, tips, sizeof(*b->top_seat), "bvh8: building");
 	b->part = bvh8_take(h, tips + 1, sizeof(*b->part), "bvh8: building");
 	f->tip = bvh8_take(h, tips, sizeof(*f->tip), "bvh8: building");
-	if (!b->twig || !b->seat || !b->part || !f->tip)
+	if (!b->twig || !b->top_seat || !b->part || !f->tip)
 		return ALD_NO_MEMORY;
-	b->part[0] = (struct part){ .seat = b->seat + twigs / 2 };
+	b->part[0] = (struct part){ .seat = b->top_seat };
 	return ALD_OK;
 }
 
 int bvh8_fast(struct builder *b, void (*crop)(void *fast, uint32_t i))
 {
 	const ald_host *h = b->host;
-	struct fast f = { .b = b, .room = 2 * (b->refs / CROP) + 8 };
-	int status = ALD_NO_MEMORY;
+	struct fast f = { .b = b };
+	int status = take_first(&f);
 
-	f.spare = bvh8_take(h, b->refs, sizeof(*f.spare), "bvh8: building");
-	f.crop = bvh8_take(h, f.room, sizeof(*f.crop), "bvh8: building");
-	if (f.spare && f.crop)
+	if (!status)
 		status = make_crops(&f, 0, b->refs, 0);
 	if (!status)
-		status = take_room(&f);
+		status = take_rest(&f);
 	if (!status) {
 		h->parallel(h->ctx, f.crops, crop, &f);
 		if (f.crops)
 			status = crown(&f);
 	}
-	h->free(h->ctx, f.spare);
 	h->free(h->ctx, f.crop);
 	h->free(h->ctx, f.tip);
 	return status;

@@ -11,7 +11,8 @@
 
 #define CROP 2048u /* references that one job makes trees of, at most */
 #define CELLS 128.0f /* to a side, to sort all by */
-#define TIPS 16u /* trees that it leaves, at most */
+#define TIPS 16u /* trees that it leaves, at most, */
+#define DEEP 28u /* and how many levels they have */
 
 struct crop {
 	uint32_t first, count; /* of the keys, and of the references in order */

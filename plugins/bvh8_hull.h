@@ -40,6 +40,13 @@ V void q4_whole(q4 a, int32_t n[4]) { _mm_storeu_si128((__m128i *)(void *)n, _mm
 /* The fourth lane 0. */
 V q4 q4_three(q4 a) { return _mm_and_ps(a, _mm_castsi128_ps(_mm_set_epi32(0, -1, -1, -1))); }
 V unsigned q4_same(q4 a, q4 b) { return (unsigned)_mm_movemask_ps(_mm_cmpeq_ps(a, b)); }
+V unsigned q4_above(q4 a, q4 b) { return (unsigned)_mm_movemask_ps(_mm_cmpgt_ps(a, b)); }
+/* The largest, in all four. */
+V q4 q4_most(q4 a)
+{
+	a = _mm_max_ps(a, _mm_shuffle_ps(a, a, 0x4e));
+	return _mm_max_ps(a, _mm_shuffle_ps(a, a, 0xb1));
+}
 V void q4_turn(q4 a[4]) { _MM_TRANSPOSE4_PS(a[0], a[1], a[2], a[3]); }
 #else
 typedef struct {
@@ -59,6 +66,12 @@ V q4 q4_max(q4 a, q4 b) { EACHQ a.x[i] = a.x[i] > b.x[i] ? a.x[i] : b.x[i]; retu
 V void q4_whole(q4 a, int32_t n[4]) { EACHQ n[i] = (int32_t)a.x[i]; }
 V q4 q4_three(q4 a) { a.x[3] = 0; return a; }
 V unsigned q4_same(q4 a, q4 b) { unsigned m = 0; EACHQ m |= (unsigned)(a.x[i] == b.x[i]) << i; return m; }
+V unsigned q4_above(q4 a, q4 b) { unsigned m = 0; EACHQ m |= (unsigned)(a.x[i] > b.x[i]) << i; return m; }
+V q4 q4_most(q4 a)
+{
+	EACHQ a.x[0] = a.x[0] > a.x[i] ? a.x[0] : a.x[i];
+	return q4_all(a.x[0]);
+}
 V void q4_turn(q4 a[4])
 {
 	q4 b[4] = { a[0], a[1], a[2], a[3] };

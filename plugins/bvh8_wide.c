@@ -25,46 +25,95 @@ static uint32_t part_below(const struct widener *w, const struct part *p, uint32
 	return p == w->b->part ? w->owner[twig - w->b->root] : 0;
 }
 
-/* The largest are opened until there are eight; then in the order of size. */
-static uint32_t open_twig(const struct widener *w, const struct part *p, uint32_t root, uint32_t kid[WIDTH])
+/* The children of a node. */
+struct opened {
+	float size[WIDTH] __attribute__((aligned(32)));
+	uint32_t kid[WIDTH], n;
+	uint32_t inner; /* the first that was opened; EMPTY: none was */
+};
+
+/* Which of the eight is the largest, the first of them. */
+V unsigned largest(const float size[WIDTH])
 {
-	const struct builder *b = w->b;
-	float size[WIDTH], swap;
-	uint32_t n = 0, next = b->twig[root].kid;
+	q4 a = q4_load(size), b = q4_load(size + 4), most = q4_most(q4_max(a, b));
 
-	for (unsigned k = 0; k < 2; k++, n++) {
-		kid[n] = next + k;
-		size[n] = area(&b->twig[kid[n]]);
+	return (unsigned)__builtin_ctz(q4_same(a, most) | q4_same(b, most) << 4 | 1u << WIDTH);
+}
+
+/* In the order of size. */
+V void sort_kids(struct opened *o)
+{
+	q4 a = q4_load(o->size), b = q4_load(o->size + 4);
+	uint32_t kid[WIDTH];
+
+	memcpy(kid, o->kid, sizeof(kid));
+	for (uint32_t i = 0; i < o->n; i++) {
+		q4 x = q4_all(o->size[i]);
+		unsigned before = (1u << i) - 1, same = q4_same(a, x) | q4_same(b, x) << 4;
+		unsigned above = q4_above(a, x) | q4_above(b, x) << 4;
+
+		o->kid[__builtin_popcount(above | (same & before))] = kid[i];
 	}
-	while (n < WIDTH) {
-		uint32_t best = WIDTH;
+}
 
-		for (uint32_t i = 0; i < n; i++) {
-			if (b->twig[kid[i]].count || part_below(w, p, kid[i]))
-				continue;
-			if (best == WIDTH || size[i] > size[best])
-				best = i;
-		}
-		if (best == WIDTH)
+V void add_kid(const struct widener *w, const struct part *p, struct opened *o, float open[WIDTH], uint32_t i,
+	       uint32_t twig)
+{
+	const struct twig *t = &w->b->twig[twig];
+
+	o->kid[i] = twig;
+	o->size[i] = area(t);
+	open[i] = t->count || part_below(w, p, twig) ? -1 : o->size[i];
+}
+
+/* The largest are opened until there are eight; then in the order of size. */
+static void open_twig(const struct widener *w, const struct part *p, uint32_t root, struct opened *o)
+{
+	float open[WIDTH] __attribute__((aligned(32)));
+	uint32_t next = w->b->twig[root].kid;
+
+	for (unsigned k = 0; k < WIDTH; k++) {
+		o->size[k] = open[k] = -1;
+		o->kid[k] = EMPTY;
+	}
+	o->inner = EMPTY;
+	add_kid(w, p, o, open, 0, next);
+	add_kid(w, p, o, open, 1, next + 1);
+	for (o->n = 2; o->n < WIDTH; o->n++) {
+		unsigned best = largest(open);
+
+		if (open[best] < 0)
 			break;
-		kid[n] = b->twig[kid[best]].kid + 1;
-		kid[best] = b->twig[kid[best]].kid;
-		size[best] = area(&b->twig[kid[best]]);
-		size[n] = area(&b->twig[kid[n]]);
-		n++;
+		if (o->inner == EMPTY)
+			o->inner = o->kid[best];
+		next = w->b->twig[o->kid[best]].kid;
+		add_kid(w, p, o, open, best, next);
+		add_kid(w, p, o, open, o->n, next + 1);
 	}
-	for (uint32_t i = 1; i < n; i++) {
-		for (uint32_t j = i; j > 0 && size[j] > size[j - 1]; j--) {
-			uint32_t t = kid[j];
+	sort_kids(o);
+}
 
-			kid[j] = kid[j - 1];
-			kid[j - 1] = t;
-			swap = size[j];
-			size[j] = size[j - 1];
-			size[j - 1] = swap;
-		}
+/* Children that were found once are noted where one of those is that were opened and serve nobody any more: the
+ * twig of a seat is then that place, and this. */
+#define NOTED 0x80000000u
+
+static void note_kids(const struct widener *w, const struct part *p, struct seat *s, const struct opened *o)
+{
+	if (o->inner == EMPTY || p == w->b->part)
+		return;
+	memcpy(&w->b->twig[o->inner], o->kid, sizeof(o->kid));
+	s->twig = o->inner | NOTED;
+}
+
+static void open_again(const struct widener *w, const struct part *p, const struct seat *s, struct opened *o)
+{
+	if (!(s->twig & NOTED) || p == w->b->part) {
+		open_twig(w, p, s->twig, o);
+		return;
 	}
-	return n;
+	memcpy(o->kid, &w->b->twig[s->twig & ~NOTED], sizeof(o->kid));
+	for (o->n = 3; o->n < WIDTH && o->kid[o->n] != EMPTY;)
+		o->n++;
 }
 
 V uint32_t id_of(const struct builder *b, uint32_t ref)
@@ -102,21 +151,22 @@ static void seat_children(const struct widener *w, struct part *p, uint32_t i, u
 {
 	struct builder *b = w->b;
 	struct seat *s = &p->seat[i];
-	uint32_t kid[WIDTH], n = open_twig(w, p, s->twig, kid);
+	struct opened o;
 
+	open_twig(w, p, s->twig, &o);
 	s->node = p->seats;
 	s->block = p->blocks;
 	s->other = p->others;
 	p->cost += (double)(area(&b->twig[s->twig]) / w->b->whole);
-	for (uint32_t k = 0; k < n; k++) {
-		const struct twig *t = &b->twig[kid[k]];
-		uint32_t below = part_below(w, p, kid[k]);
+	for (uint32_t k = 0; k < o.n; k++) {
+		const struct twig *t = &b->twig[o.kid[k]];
+		uint32_t below = part_below(w, p, o.kid[k]);
 
 		if (!t->count && below) {
 			if (depth + w->b->part[below].depth > p->depth)
 				p->depth = depth + w->b->part[below].depth;
 		} else if (!t->count) {
-			p->seat[p->seats++].twig = kid[k];
+			p->seat[p->seats++].twig = o.kid[k];
 		} else {
 			place_leaf(b, t, &p->blocks, &p->others);
 			p->leaves++;
@@ -124,6 +174,7 @@ static void seat_children(const struct widener *w, struct part *p, uint32_t i, u
 			p->cost += (double)(area(t) / w->b->whole) * (holds_others(b, t) ? t->count : blocks_of(t));
 		}
 	}
+	note_kids(w, p, s, &o);
 }
 
 static void seat_part(const struct widener *w, struct part *p, uint32_t root)
@@ -212,10 +263,6 @@ static void fill_leaf(const struct builder *b, uint32_t ref, const struct twig *
 			   t->count - i < SEATS ? t->count - i : SEATS);
 }
 
-struct opened { /* a node to be filled */
-	uint32_t kid[WIDTH], n;
-};
-
 static void fill_node(const struct widener *w, const struct part *p, uint32_t i, const struct opened *o)
 {
 	struct builder *b = w->b;
@@ -226,7 +273,7 @@ static void fill_node(const struct widener *w, const struct part *p, uint32_t i,
 	s.node += p->node;
 	s.block += p->block;
 	s.other += p->other;
-	memset(node, 0, sizeof(*node));
+	memset(node->spare, 0, sizeof(node->spare));
 	for (unsigned k = 0; k < WIDTH; k++) {
 		const struct twig *t = &b->twig[o->kid[k < n ? k : 0]];
 		uint32_t below = part_below(w, p, o->kid[k < n ? k : 0]);
@@ -281,11 +328,14 @@ static void fill_job(void *arg, uint32_t job)
 	const struct part *p = &w->b->part[job];
 	struct opened row[4];
 
+	/* A part's twigs stand together, read in no order. */
+	for (uint32_t i = 0; p != w->b->part && i < p->seats; i++)
+		__builtin_prefetch(&w->b->twig[p->seat[i].twig & ~NOTED]);
 	for (uint32_t i = 0; i < p->seats + 3 && p->seats; i++) {
 		struct opened *o = &row[i % 4];
 
 		if (i < p->seats) {
-			o->n = open_twig(w, p, p->seat[i].twig, o->kid);
+			open_again(w, p, &p->seat[i], o);
 			fetch_leaves(w->b, o, 0);
 		}
 		if (i >= 1 && i - 1 < p->seats)

@@ -2,10 +2,15 @@
 # SPDX-License-Identifier: Apache-2.0
 if HAVE_CMOCKA
 check_PROGRAMS += tests/unit/test_accels
-tests_unit_test_accels_SOURCES = tests/unit/test_accels.c tests/unit/rays.c tests/unit/rays.h
+tests_unit_test_accels_SOURCES = tests/unit/test_accels.c tests/unit/accel_fixture.h tests/unit/rays.c tests/unit/rays.h
 tests_unit_test_accels_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_accels_LDADD = $(UNIT_LIBS)
 TESTS += tests/unit/test_accels
+check_PROGRAMS += tests/unit/test_bvh8
+tests_unit_test_bvh8_SOURCES = tests/unit/test_bvh8.c tests/unit/accel_fixture.h tests/unit/rays.c tests/unit/rays.h
+tests_unit_test_bvh8_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_bvh8_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_bvh8
 
 check_PROGRAMS += tests/unit/test_load
 tests_unit_test_load_SOURCES = tests/unit/test_load.c

@@ -15,18 +15,7 @@
 
 #include <cmocka.h>
 
-#include "accel/load.h"
-#include "rays.h"
-
-/* Sanitizers see what the code does with memory, which a few rays a mesh show as well as many: an eighth of
- * them, in as many batches of each sort. */
-#if defined __SANITIZE_ADDRESS__
-#define FEWER 8u
-#define BATCH 512u
-#else
-#define FEWER 1u
-#define BATCH 1024u
-#endif
+#include "accel_fixture.h"
 
 /* ALIDADE_TEST_ACCEL may name another one, in place of the last. */
 static const char *spec[] = {
@@ -35,113 +24,13 @@ static const char *spec[] = {
 	"octree:leaf=1,depth=6,price=0,shape=box", "bvh8", "bvh8:isa=plain,leaf=1,interleave=1",
 	"bvh8:isa=sse,leaf=28,interleave=3,split=1",
 	"bvh8:isa=avx2,interleave=16,split=100", "bvh8:isa=avx512,leaf=5,interleave=8",
+	"bvh8:build=fast", "bvh8:build=fast,isa=plain,leaf=1", "bvh8:build=fast,isa=sse,leaf=3",
 #ifdef HAVE_EMBREE
 	"embree", "embree:packet=16,isa=avx2,quality=high", "embree:packet=stream,isa=sse4.2,quality=low",
 #endif
 	"octree:leaf=30",
 };
 enum { SPECS = sizeof(spec) / sizeof(spec[0]) };
-
-struct accel {
-	struct accel_choice choice;
-	ald_accel *it;
-	ald_query q;
-	uint64_t count[ALD_COUNT_MAX];
-	ald_hit hit[BATCH];
-	uint8_t hidden[BATCH];
-};
-
-static void print_text(void *arg, enum diag_level level, const struct diag_pos *pos, const char *text)
-{
-	(void)arg;
-	(void)level;
-	(void)pos;
-	print_message("%s\n", text);
-}
-
-static int accel_open(struct accel *a, const char *name, struct test_host *h, const struct mesh *m)
-{
-	struct diag d = { .sink = print_text };
-	ald_error err = { "" };
-	size_t scratch = 0;
-	int status;
-
-	memset(a, 0, sizeof(*a));
-	assert_int_equal(accel_load(&a->choice, name, &d), STATUS_OK);
-	status = a->choice.plugin->build(&h->host, &m->prims, a->choice.value, &a->it, &err);
-	if (status) {
-		accel_unload(&a->choice);
-		return status;
-	}
-	if (a->choice.plugin->scratch_size)
-		scratch = a->choice.plugin->scratch_size(a->it);
-	a->q.scratch = mem_zalloc(&h->book, "scratch", scratch);
-	return ALD_OK;
-}
-
-static void accel_close(struct accel *a)
-{
-	a->choice.plugin->destroy(a->it);
-	mem_free(a->q.scratch);
-	accel_unload(&a->choice);
-}
-
-static void fresh(ald_hit *hit, const ald_ray *ray, uint32_t n)
-{
-	for (uint32_t i = 0; i < n; i++)
-		hit[i] = (ald_hit){ .t = ray[i].tmax, .prim = ALD_NONE, .part = ALD_NONE };
-}
-
-static void ask(struct accel *a, const ald_ray *ray, uint32_t n, bool one_by_one, uint32_t hints)
-{
-	const ald_accel_plugin *p = a->choice.plugin;
-	ald_hit again;
-
-	fresh(a->hit, ray, n);
-	if (!one_by_one && p->intersect_n && p->occluded_n) {
-		p->intersect_n(a->it, &a->q, ray, a->hit, n, hints);
-		p->occluded_n(a->it, &a->q, ray, a->hidden, n, hints);
-		return;
-	}
-	for (uint32_t i = 0; i < n; i++) {
-		int hit = p->intersect(a->it, &a->q, &ray[i], &a->hit[i]);
-
-		assert_int_equal(!!hit, a->hit[i].prim != ALD_NONE);
-		if (p->occluded) {
-			a->hidden[i] = !!p->occluded(a->it, &a->q, &ray[i]);
-		} else {
-			fresh(&again, &ray[i], 1);
-			a->hidden[i] = !!p->intersect(a->it, &a->q, &ray[i], &again);
-		}
-	}
-}
-
-static void show(const char *what, const char *mesh, const char *name, const ald_ray *r,
-		 const ald_hit *want, const ald_hit *got)
-{
-	print_message("%s, %s against none, %s\n"
-		      "ray %a %a %a  %a %a %a  t %a..%a mask %x skip %u after %u\n"
-		      "none %a %u (%a %a), here %a %u (%a %a)\n",
-		      mesh, name, what, r->org.x, r->org.y, r->org.z, r->dir.x, r->dir.y, r->dir.z,
-		      r->tmin, r->tmax, r->mask, r->skip, r->after, want->t, want->prim, want->u, want->v,
-		      got->t, got->prim, got->u, got->v);
-}
-
-static void compare(const char *mesh, const char *name, const struct accel *want, const struct accel *got,
-		    const ald_ray *ray, uint32_t n)
-{
-	for (uint32_t i = 0; i < n; i++) {
-		if (memcmp(&want->hit[i], &got->hit[i], sizeof(want->hit[i]))) {
-			show("nearest", mesh, name, &ray[i], &want->hit[i], &got->hit[i]);
-			fail();
-		}
-		if (want->hidden[i] != got->hidden[i] ||
-		    want->hidden[i] != (want->hit[i].prim != ALD_NONE)) {
-			show("occluded", mesh, name, &ray[i], &want->hit[i], &got->hit[i]);
-			fail();
-		}
-	}
-}
 
 /* Step behind the hits (R2); returns how many rays still had one. */
 static uint32_t step_behind(ald_ray *ray, const ald_hit *hit, uint32_t n)
@@ -452,6 +341,8 @@ static void test_repeats(void **state)
 	}
 	mesh_beams(&m, 100);
 	assert_int_equal(repeats_of("bvh8:split=1", &m), 0);
+	mesh_beams(&m, 100);
+	assert_int_equal(repeats_of("bvh8:build=fast", &m), 0);
 	mesh_cube(&m);
 	assert_int_equal(repeats_of("bvh8", &m), 0);
 	mesh_cube(&m);
@@ -461,7 +352,7 @@ static void test_repeats(void **state)
 /* A build that runs out of memory anywhere, or is cancelled, leaves nothing behind (R7). */
 static void test_failed_builds(void **state)
 {
-	const char *const name[] = { "none", "box", "sphere", "octree", "bvh8" };
+	const char *const name[] = { "none", "box", "sphere", "octree", "bvh8", "bvh8:build=fast" };
 	struct accel *a = malloc(sizeof(*a));
 	struct mesh m = { 0 };
 	struct test_host h;
@@ -469,7 +360,7 @@ static void test_failed_builds(void **state)
 	(void)state;
 	mesh_torus(&m, (ald_vec){ 0, 0, 0 }, 1, 0.25, 40, 30);
 	mesh_finish(&m, false, false, false);
-	for (unsigned k = 0; k < 5; k++) {
+	for (unsigned k = 0; k < sizeof(name) / sizeof(name[0]); k++) {
 		int status = ALD_NO_MEMORY;
 
 		for (uint64_t limit = 1; status; limit += limit / 8 + 1) {
@@ -562,7 +453,8 @@ static void test_octree_figures(void **state)
 
 static void test_bvh8_figures(void **state)
 {
-	static const char *const name[] = { "bvh8", "bvh8:leaf=1", "bvh8:leaf=28,split=1" };
+	static const char *const name[] = { "bvh8", "bvh8:leaf=1", "bvh8:leaf=28,split=1", "bvh8:build=fast",
+					    "bvh8:build=fast,leaf=2" };
 	struct accel *a = malloc(sizeof(*a));
 	struct mesh m = { 0 };
 	struct test_host h;
@@ -572,7 +464,7 @@ static void test_bvh8_figures(void **state)
 	mesh_balls(&m, 50, 0.2, 5);
 	mesh_finish(&m, false, false, false);
 	test_host_init(&h, 2, 0);
-	for (unsigned k = 0; k < 3; k++) {
+	for (unsigned k = 0; k < sizeof(name) / sizeof(name[0]); k++) {
 		struct holder got = { .m = &m };
 
 		accel_open(a, name[k], &h, &m);
@@ -590,49 +482,6 @@ static void test_bvh8_figures(void **state)
 	free(a);
 }
 
-/* The tree is large enough for the parallel part; the same whoever made it. */
-static int fold_volume(void *arg, const ald_volume *v)
-{
-	uint64_t *sum = arg;
-
-	for (unsigned k = 0; k < 6; k++) {
-		uint64_t b;
-
-		memcpy(&b, k < 3 ? &(&v->box.lo.x)[k] : &(&v->box.hi.x)[k - 3], sizeof(b));
-		*sum = (*sum ^ b) * 0x9e3779b97f4a7c15u;
-		*sum ^= *sum >> 29;
-	}
-	return 1;
-}
-
-static void test_bvh8_threads(void **state)
-{
-	static const uint32_t threads[] = { 1, 2, 5 };
-	static const char *const name[] = { "bvh8" };
-	struct accel *a = malloc(sizeof(*a));
-	struct mesh m = { 0 };
-	struct test_host h;
-
-	(void)state;
-	mesh_field(&m, 130, 10, 1, 3);
-	mesh_soup(&m, 20000, 5, 1, 11);
-	mesh_finish(&m, false, false, false);
-	for (unsigned k = 0; k < sizeof(name) / sizeof(name[0]); k++) {
-		uint64_t sum[3] = { 0 };
-
-		for (unsigned i = 0; i < 3; i++) {
-			test_host_init(&h, threads[i], 0);
-			accel_open(a, name[k], &h, &m);
-			a->choice.plugin->walk(a->it, NULL, fold_volume, &sum[i]);
-			accel_close(a);
-			test_host_release(&h);
-			assert_true(sum[i] == sum[0]);
-		}
-	}
-	mesh_release(&m);
-	free(a);
-}
-
 /* An argument picks tests by name, * and ? stand for others. */
 int main(int argc, char **argv)
 {
@@ -643,7 +492,7 @@ int main(int argc, char **argv)
 		cmocka_unit_test(test_balls),	     cmocka_unit_test(test_exact),
 		cmocka_unit_test(test_one),	     cmocka_unit_test(test_counts),
 		cmocka_unit_test(test_failed_builds), cmocka_unit_test(test_octree_figures),
-		cmocka_unit_test(test_bvh8_figures), cmocka_unit_test(test_bvh8_threads),
+		cmocka_unit_test(test_bvh8_figures),
 		cmocka_unit_test(test_repeats),
 	};
 

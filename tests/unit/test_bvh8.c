@@ -1,0 +1,132 @@
+/* SPDX-FileCopyrightText: 2026 The Alidade authors
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * bvh8's builders: one tree whoever made it, and input that they could stumble over.
+ */
+#ifdef HAVE_CONFIG_H
+#include <config.h>
+#endif
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "accel_fixture.h"
+
+/* The tree is large enough for the parallel part; the same whoever made it. */
+static int fold_volume(void *arg, const ald_volume *v)
+{
+	uint64_t *sum = arg;
+
+	for (unsigned k = 0; k < 6; k++) {
+		uint64_t b;
+
+		memcpy(&b, k < 3 ? &(&v->box.lo.x)[k] : &(&v->box.hi.x)[k - 3], sizeof(b));
+		*sum = (*sum ^ b) * 0x9e3779b97f4a7c15u;
+		*sum ^= *sum >> 29;
+	}
+	return 1;
+}
+
+static void test_threads(void **state)
+{
+	static const uint32_t threads[] = { 1, 2, 5 };
+	static const char *const name[] = { "bvh8", "bvh8:build=fast", "bvh8:build=fast,isa=plain" };
+	struct accel *a = malloc(sizeof(*a));
+	struct mesh m = { 0 };
+	struct test_host h;
+	uint64_t before = 0;
+
+	(void)state;
+	mesh_field(&m, 130, 10, 1, 3);
+	mesh_soup(&m, 20000, 5, 1, 11);
+	mesh_finish(&m, false, false, false);
+	for (unsigned k = 0; k < sizeof(name) / sizeof(name[0]); k++) {
+		uint64_t sum[3] = { 0 };
+
+		for (unsigned i = 0; i < 3; i++) {
+			test_host_init(&h, threads[i], 0);
+			accel_open(a, name[k], &h, &m);
+			a->choice.plugin->walk(a->it, NULL, fold_volume, &sum[i]);
+			accel_close(a);
+			test_host_release(&h);
+			assert_true(sum[i] == sum[0]);
+		}
+		if (k == 2) /* one tree for all instruction sets */
+			assert_true(sum[0] == before);
+		before = sum[0];
+	}
+	mesh_release(&m);
+	free(a);
+}
+
+static void same_fast(const char *mesh, struct mesh *m)
+{
+	struct accel *none = malloc(sizeof(*none)), *fast = malloc(sizeof(*fast));
+	ald_ray *ray = malloc(BATCH * sizeof(*ray));
+	struct test_host h;
+
+	mesh_finish(m, false, false, false);
+	test_host_init(&h, 2, 0);
+	accel_open(none, "none", &h, m);
+	accel_open(fast, "bvh8:build=fast", &h, m);
+	for (uint32_t i = 0; i < BATCH; i++)
+		ray_make(m, 1, i, &ray[i]);
+	ask(none, ray, BATCH, false, 0);
+	ask(fast, ray, BATCH, false, 0);
+	compare(mesh, "build=fast", none, fast, ray, BATCH);
+	accel_close(none);
+	accel_close(fast);
+	assert_int_equal(h.book.now, 0);
+	test_host_release(&h);
+	mesh_release(m);
+	*m = (struct mesh){ 0 };
+	free(none);
+	free(fast);
+	free(ray);
+}
+
+/* Far more in one place than a job takes, and nothing to sort by; sizes from 1 to 1e13, each next to a
+ * smaller one; a small thing in a large scene; large numbers, and such as are none. */
+static void test_fast_extremes(void **state)
+{
+	struct mesh m = { 0 };
+	uint32_t a, b;
+	double size = 1;
+
+	(void)state;
+	mesh_group(&m);
+	a = mesh_vertex(&m, 0.5, 0, 0);
+	b = mesh_vertex(&m, 0, 0.5, 0.25);
+	for (unsigned i = 0; i < 5000; i++)
+		mesh_triangle(&m, a, b, mesh_vertex(&m, 0, 0, 1e-3 * (i / 1000)));
+	same_fast("one place", &m);
+
+	mesh_group(&m);
+	for (unsigned i = 0; i < 3000; i++, size *= 1.01)
+		mesh_triangle(&m, mesh_vertex(&m, size, 0, 0), mesh_vertex(&m, size * 1.01, size, 0),
+			      mesh_vertex(&m, size, 0, size));
+	same_fast("growing", &m);
+
+	mesh_torus(&m, (ald_vec){ 1, 2, 3 }, 1e-3, 2e-4, 80, 60);
+	mesh_soup(&m, 500, 100, 40, 5);
+	same_fast("small in large", &m);
+
+	mesh_torus(&m, (ald_vec){ 0, 0, 0 }, 1e150, 2e149, 40, 30);
+	mesh_triangle(&m, 0, 1, mesh_vertex(&m, NAN, 0, 0));
+	mesh_triangle(&m, 0, 1, 0);
+	same_fast("huge", &m);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_threads),
+		cmocka_unit_test(test_fast_extremes),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -186,13 +186,13 @@ V float hull_area(hull a)
 
 V hull ref_hull(const struct ref *r)
 {
-	return hull_load(r->lo);
+	return hull_load((const float *)(const void *)r);
 }
 
 /* With its id. */
 V void ref_store(struct ref *r, hull h)
 {
-	hull_store(r->lo, h);
+	hull_store((float *)(void *)r, h);
 }
 
 /* Twice the middle; its last lane is 0, which with an id in it could be anything, and slow. */

@@ -184,12 +184,16 @@ const char *trade_outcome_text(struct trade *t, const struct trade_verdict *v)
 const char *trade_confirm_text(struct trade *t, const struct trade_verdict *v)
 {
 	const char *held[] = { "not as found before", "as found before" };
+	const char *drift = "";
 
 	if (!v->time_again.count)
 		return NULL;
-	return trade_text(t, "Drawn again %u times: %s %s, %s; %s %s, %s; the bound is %s.", v->time_again.count,
+	if (v->pick != t->setting)
+		drift = trade_text(t, " if the machine's drift is allowed for (the default took %.3f times as "
+				      "long as then)", v->drift);
+	return trade_text(t, "Drawn again %u times: %s %s, %s%s; %s %s, %s; the bound is %s.", v->time_again.count,
 			  trade_column[t->clock].title, range_text(t, t->clock, &v->time_again),
-			  held[v->time_holds], trade_column[t->error].title,
+			  held[v->time_holds], drift, trade_column[t->error].title,
 			  range_text(t, t->error, &v->error_again), held[v->error_holds],
 			  v->bound_holds ? "kept" : "NOT kept");
 }
@@ -267,7 +271,8 @@ const char *trade_note(struct trade *t, uint32_t i)
 	case 1: return sameness_note(t);
 	case 2:
 		return trade_text(t, "Times are medians; the interval after one holds the true median with %.0f %% "
-				     "confidence (%u runs of the default).",
+				     "confidence (%u runs of the default) as long as the machine keeps its pace: "
+				     "another hour's times may differ by more, all in about the same ratio.",
 				  100 * r->confidence, r->count);
 	case 3: return spread_note(t);
 	case 4: return has_wrong(t) ? "" : "Nearest hits were not checked against exact arithmetic.";
@@ -428,6 +433,7 @@ static void json_verdict(struct trade *t, struct json_writer *j, const struct tr
 		jw_object(j, "again");
 		jw_uint(j, "runs", v->time_again.count);
 		jw_double(j, trade_column[t->clock].key, v->time_again.median);
+		jw_double(j, "drift", v->drift);
 		jw_bool(j, "time_holds", v->time_holds);
 		jw_double(j, trade_column[t->error].key, v->error_again.median);
 		jw_bool(j, "error_holds", v->error_holds);

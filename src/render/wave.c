@@ -176,6 +176,8 @@ static void follow_batch(struct worker *w, uint32_t first, uint32_t n, uint32_t 
 		else
 			shade_hit(w->shader, t, first + i, &ray[i], &hit[i]);
 	}
+	if (!t->no_memory)
+		plain_light(w->shader, t, w->thread, hints & ALD_COHERENT, &counts);
 	if (t->met.count && !t->no_memory)
 		shade_light(w->shader, t, w->thread, hints & ALD_COHERENT, &counts);
 	if (t->met.count && !t->no_memory)

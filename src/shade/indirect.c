@@ -191,7 +191,7 @@ static void fill_rays(const struct shader *sh, struct tree *t, const struct met 
 		child.dir = g->recorded ? stratum_direction(sh, g, i, key) :
 					  indirect_direction(g->normal, child.path, key);
 		child.dir = above(g, m, child.dir, child.path, key);
-		child.org = shadow_origin(m, child.dir);
+		child.org = shadow_origin(m->p, m->n, m->error, child.dir);
 		*BUF_AT(&t->node, struct node, g->first + i) = child;
 	}
 }

@@ -11,6 +11,7 @@ src_libalidade_la_SOURCES += \
 	src/shade/pov/interior.c src/shade/pov/interior.h \
 	src/shade/pov/lights.c src/shade/pov/lights.h \
 	src/shade/pov/media.c src/shade/pov/media.h \
+	src/shade/pov/plain.c \
 	src/shade/pov/point.c src/shade/pov/point.h \
 	src/shade/pov/rainbow.c \
 	src/shade/pov/shadow.c src/shade/pov/shadow.h \

@@ -48,6 +48,7 @@ struct shader {
 	uint32_t subsurface_rays; /* from below a hit, to where light comes in */
 	bool lifts; /* shadow rays start on the smooth surface that a mesh stands for */
 	bool marks; /* rays are told their pixels, for verification */
+	bool plain; /* shade_plain() */
 	bool insides; /* what rays are inside of is followed from the camera on */
 	struct open_sky {
 		struct rgb colour;
@@ -68,11 +69,17 @@ void shader_init(struct shader *, const struct scene *, const struct geometry *,
 /* The solids that a camera ray starts in, as a list of tree.inside. */
 uint32_t shade_camera_inside(const struct shader *, struct tree *, vec org);
 
+/* Once all of the shader is known: may hits take the short way, pov/plain.c? */
+bool shade_plain(const struct shader *);
+
 /* Find shader.open. */
 void shade_sky_init(struct shader *);
 /* A ray that left the scene. */
 void shade_sky(const struct shader *, struct node *);
-/* A ray that hit: appends a met with its parts, layers and mirrors. */
+/* The short way, if shader.plain: tries a hit, true if it took it; then the light at all that took it. */
+bool plain_hit(const struct shader *, struct tree *, uint32_t node, const struct surface *, uint32_t prim);
+void plain_light(const struct shader *, struct tree *, uint32_t thread, uint32_t hints, struct shade_counts *);
+/* A ray that hit, unless it takes the short way: appends a met with its parts, layers and mirrors. */
 void shade_hit(const struct shader *, struct tree *, uint32_t node, const ald_ray *, const ald_hit *);
 /* Light at all hits met in this wave, shadows traced; the parts' own light is complete then. hints: how the rays lie
  * that hit. */

@@ -30,6 +30,8 @@ void tree_init(struct tree *t, struct mem_book *book)
 	t->soft.size = sizeof(struct soft);
 	t->cell.size = sizeof(struct cell);
 	t->asked.size = sizeof(uint32_t);
+	t->plain.size = sizeof(struct plain);
+	t->plain_light.size = sizeof(struct plain_light);
 	t->ray.size = sizeof(ald_ray);
 	t->hit.size = sizeof(ald_hit);
 	t->hidden.size = sizeof(uint8_t);
@@ -42,7 +44,7 @@ void tree_init(struct tree *t, struct mem_book *book)
 void tree_reset_wave(struct tree *t)
 {
 	t->met.count = t->lift.count = t->layer.count = t->lit.count = t->shadow.count = 0;
-	t->soft.count = t->cell.count = t->asked.count = 0;
+	t->soft.count = t->cell.count = t->asked.count = t->plain.count = 0;
 }
 
 void tree_reset(struct tree *t)
@@ -55,7 +57,7 @@ void tree_reset(struct tree *t)
 void tree_release(struct tree *t)
 {
 	struct buf *all[] = { &t->node, &t->part,  &t->mirror, &t->inside, &t->veil, &t->gather, &t->met, &t->layer,
-			      &t->lift,
+			      &t->lift, &t->plain, &t->plain_light,
 			      &t->lit, &t->shadow, &t->soft, &t->cell, &t->asked, &t->ray,	   &t->hit, &t->hidden,
 			      &t->record, &t->strata,
 			      &t->media.segment, &t->media.span, &t->media.reach, &t->media.sample,

@@ -186,6 +186,22 @@ struct shadow {
 	struct rgb colour; /* in: unshadowed; out: what arrives */
 };
 
+/* A hit that takes the short way (pov/plain.c), and one light at it. */
+struct plain {
+	uint32_t node, skip, light_set;
+	bool both_sides; /* double_illuminate */
+	vec p, n, ns; /* as in struct met */
+	double error;
+	const struct layer *layer;
+};
+
+struct plain_light {
+	uint32_t plain; /* of tree.plain */
+	bool behind; /* the surface takes it from its far side */
+	vec dir;
+	struct rgb colour;
+};
+
 struct cell {
 	struct rgb colour;
 	bool known, asked;
@@ -196,6 +212,7 @@ struct tree {
 	bool no_memory; /* sticky: some push failed */
 	struct buf node, part, mirror, inside, veil, gather, scatter; /* until folded */
 	struct buf met, lift, layer, lit, soft, shadow, cell, asked; /* of the current wave */
+	struct buf plain, plain_light; /* of the current wave */
 	struct buf ray, hit, hidden; /* of the current call to trace */
 	struct buf beneath; /* of the current wave, until its light is known */
 	struct buf record, strata; /* for the cache of indirect light, while it is filled */

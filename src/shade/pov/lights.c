@@ -19,7 +19,6 @@
 #define SOFT_LEAST 4 /* rounds, where one is not enough */
 #define SOFT_EVEN 20 /* points that all agree are enough */
 #define SOFT_ERROR 0.01 /* of the light */
-#define BESIDE 1e-10 /* cosine below which light passes by a surface, as in POV-Ray */
 
 /* To gathered rays an area light is a point, as in POV-Ray. */
 static bool wide(const struct light *l, const struct node *n)
@@ -46,7 +45,7 @@ static bool falls_on(const struct lit_layer *layer, const struct light *l, const
 	*behind = false;
 	if (m->flags & OBJECT_DOUBLE_ILLUMINATE || (l->area_illumination && !wide(l, n)))
 		return true;
-	if (vec_dot(layer->normal, dir) >= BESIDE)
+	if (vec_dot(layer->normal, dir) >= LIGHT_BESIDE)
 		return true;
 	*behind = layer->finish->diffuse_back != 0;
 	return *behind;
@@ -64,16 +63,6 @@ static bool wanted(const struct tree *t, const struct light *l, const struct met
 			return true;
 	}
 	return false;
-}
-
-/* A lamp that lies in a surface is not hidden by it: the ray ends before the light by more than what
- * rounding does to coordinates of this size, unless the light grazes. */
-static double short_of(vec p, const struct light_ray *r)
-{
-	double x = fabs(p.x), y = fabs(p.y), z = fabs(p.z), yz = y > z ? y : z;
-	double size = (x > yz ? x : yz) + r->depth;
-
-	return r->depth - 0x1p-40 * size;
 }
 
 /* Hanika's remedy for the terminator of coarse meshes: the ray starts above the face, on the light's side. */
@@ -101,9 +90,9 @@ static void ask(const struct shader *sh, struct tree *t, const struct light *l, 
 	if (i == TREE_NONE)
 		return;
 	*BUF_AT(&t->shadow, struct shadow, i) =
-		(struct shadow){ .org = shadow_origin(m, r->dir),
+		(struct shadow){ .org = shadow_origin(m->p, m->n, m->error, r->dir),
 				 .dir = r->dir,
-				 .depth = short_of(m->p, r),
+				 .depth = shadow_depth(m->p, r->depth),
 				 .skip = m->skip,
 				 .pixel = { n->pixel[0], n->pixel[1] },
 				 .inside = n->inside,

@@ -8,6 +8,8 @@
 
 #include "shade/shade.h"
 
+#define LIGHT_BESIDE 1e-10 /* cosine below which light passes by a surface, as in POV-Ray */
+
 /* Append a lit for this light at met hit, unless none can come; true if it was appended. */
 bool lights_ask(const struct shader *, struct tree *, uint32_t hit, uint32_t light);
 /* What arrives, shadows included, becomes the colour of all lits. hints: how their rays lie, light by light. */

@@ -18,10 +18,20 @@ static inline bool shadow_dark(struct rgb c)
 	return fabs(c.r) < 1e-10 && fabs(c.g) < 1e-10 && fabs(c.b) < 1e-10;
 }
 
-/* The start of a ray from a hit towards dir: off the surface by its error bound, on dir's side. */
-static inline vec shadow_origin(const struct met *m, vec dir)
+/* The start of a ray from p on a surface towards dir: off it by its error bound, on dir's side. */
+static inline vec shadow_origin(vec p, vec n, double error, vec dir)
 {
-	return vec_mad(m->p, m->n, vec_dot(m->n, dir) < 0 ? -m->error : m->error);
+	return vec_mad(p, n, vec_dot(n, dir) < 0 ? -error : error);
+}
+
+/* A lamp that lies in a surface is not hidden by it: the ray ends before the light by more than what
+ * rounding does to coordinates of this size, unless the light grazes. */
+static inline double shadow_depth(vec p, double depth)
+{
+	double x = fabs(p.x), y = fabs(p.y), z = fabs(p.z), yz = y > z ? y : z;
+	double size = (x > yz ? x : yz) + depth;
+
+	return depth - 0x1p-40 * size;
 }
 
 #endif

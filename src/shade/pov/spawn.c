@@ -69,7 +69,7 @@ static uint32_t add_node(const struct shader *sh, struct tree *t, const struct m
 		return i;
 	n = BUF_AT(&t->node, struct node, i);
 	*n = blank;
-	n->org = shadow_origin(m, s->dir);
+	n->org = shadow_origin(m->p, m->n, m->error, s->dir);
 	n->dir = s->dir;
 	n->weight = s->weight;
 	n->key = key;

@@ -272,16 +272,19 @@ static uint32_t add_lift(const struct shader *sh, struct tree *t, const ald_hit 
 void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald_ray *ray,
 	       const ald_hit *hit)
 {
-	uint32_t index = tree_push(t, &t->met, 1);
+	uint32_t index;
 	struct node *n = BUF_AT(&t->node, struct node, node);
 	struct looking l = { .sh = sh, .t = t, .n = n, .hit = hit };
 	struct surface s;
 	bool from_inside;
 	struct met *m;
 
+	surface_at(sh->geometry, ray, hit, &s);
+	if (sh->plain && plain_hit(sh, t, node, &s, hit->prim))
+		return;
+	index = tree_push(t, &t->met, 1);
 	if (index == TREE_NONE)
 		return;
-	surface_at(sh->geometry, ray, hit, &s);
 	from_inside = vec_dot(s.ns, n->dir) > 0;
 	m = BUF_AT(&t->met, struct met, index);
 	m->node = node;

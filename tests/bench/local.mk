@@ -1,6 +1,6 @@
 # ./dev bench: measurements, no tests.
 EXTRA_DIST += tests/bench/run.sh tests/bench/lecture.py tests/bench/povray.py tests/bench/indirect.py tests/bench/precision.py \
-	tests/bench/whole.py tests/bench/measure_runs.py
+	tests/bench/whole.py tests/bench/scale.py tests/bench/measure_runs.py
 # Not made by make check.
 EXTRA_PROGRAMS += tests/bench/rays
 tests_bench_rays_SOURCES = tests/bench/rays.c tests/bench/race.c tests/bench/race.h tests/bench/settle.c \

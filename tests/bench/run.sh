@@ -9,6 +9,7 @@
 #	run.sh indirect [--runs N] [--threads N] [--exact]  indirect light at POV-Ray's own error, see indirect.py
 #	run.sh rays [options] [ENGINE ...]     rays a second beside Embree, see rays.c
 #	run.sh peers [--runs N] [--threads 1,2] whole programs, file to picture, see whole.py
+#	run.sh scale [--all]                   how cost grows from 1,000 triangles to 100 million, see scale.py
 #	run.sh precision [--runs N] [--size WxH] what exact answers cost and floats save, see precision.py
 set -u
 : "${ALIDADE_SRC:=$(cd "$(dirname "$0")/../.." && pwd)}"
@@ -34,6 +35,10 @@ peers)
 	make -C "$ALIDADE_BUILD" -s tests/bench/scene_files || exit 1
 	exec python3 "$ALIDADE_SRC/tests/bench/whole.py" "$@"
 	;;
+scale)
+	make -C "$ALIDADE_BUILD" -s tests/bench/rays || exit 1
+	exec python3 "$ALIDADE_SRC/tests/bench/scale.py" "$@"
+	;;
 precision)
 	make -C "$ALIDADE_BUILD" -s tests/bench/rays || exit 1
 	exec python3 "$ALIDADE_SRC/tests/bench/precision.py" "$@"
@@ -49,7 +54,7 @@ povray | both | indirect)
 	sh "$ALIDADE_SRC/scenes/export.sh" --missing --into "$ALIDADE_BUILD/scenes" $scene || exit 1
 	;;
 *)
-	echo "Usage: ./dev bench [lecture|povray|indirect|peers|precision|rays] [OPTIONS]" >&2
+	echo "Usage: ./dev bench [lecture|povray|indirect|peers|precision|rays|scale] [OPTIONS]" >&2
 	exit 2
 	;;
 esac

@@ -166,7 +166,22 @@ bool prim_join_mesh(ald_box *, const struct mesh *, const struct mat *);
 enum status prim_bake_mesh(struct prim_set *, struct prim_level *, const struct mesh *, uint32_t leaf,
 			   const struct mat *, struct diag *);
 void prim_narrow_vertices(struct prim_level *); /* to float, if that loses nothing */
-void prim_triangle(const struct prim_level *, uint32_t id, vec v[3]);
+static inline void prim_triangle(const struct prim_level *l, uint32_t id, vec v[3])
+{
+	for (unsigned k = 0; k < 3; k++) {
+		size_t i = 3 * (size_t)l->index[3 * (size_t)id + k];
+
+		if (l->vertex_double) {
+			const double *p = (const double *)l->vertex + i;
+
+			v[k] = vec_make(p[0], p[1], p[2]);
+		} else {
+			const float *p = (const float *)l->vertex + i;
+
+			v[k] = vec_make((double)p[0], (double)p[1], (double)p[2]);
+		}
+	}
+}
 unsigned prim_texture_mask(const struct scene *, uint32_t texture);
 unsigned prim_leaf_mask(const struct scene *, const struct prim_leaf *);
 

@@ -182,20 +182,3 @@ void prim_narrow_vertices(struct prim_level *l)
 	if (less)
 		l->vertex = less;
 }
-
-void prim_triangle(const struct prim_level *l, uint32_t id, vec v[3])
-{
-	for (unsigned k = 0; k < 3; k++) {
-		size_t i = 3 * (size_t)l->index[3 * (size_t)id + k];
-
-		if (l->vertex_double) {
-			const double *p = (const double *)l->vertex + i;
-
-			v[k] = vec_make(p[0], p[1], p[2]);
-		} else {
-			const float *p = (const float *)l->vertex + i;
-
-			v[k] = vec_make((double)p[0], (double)p[1], (double)p[2]);
-		}
-	}
-}

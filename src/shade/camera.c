@@ -143,13 +143,13 @@ static bool pinhole_ray(const struct camera *c, double u, double v, vec *org, ve
 	return false;
 }
 
-static bool make_unit(vec org, vec *dir)
+static inline bool make_unit(vec org, vec from, vec *dir)
 {
-	double length = vec_length(*dir);
+	double length = vec_length(from);
 
 	if (!(length > 0) || !isfinite(length) || !vec_finite(org))
 		return false;
-	*dir = vec_scale(*dir, 1 / length);
+	*dir = vec_scale(from, 1 / length);
 	return true;
 }
 
@@ -160,11 +160,11 @@ bool camera_ray(const struct camera *c, double x, double y, double width, double
 
 	if (c->kind == CAMERA_PERSPECTIVE) { /* nearly all are */
 		*org = c->location;
-		*dir = combine(c, u, v, 1);
+		return make_unit(c->location, combine(c, u, v, 1), dir);
 	} else if (!pinhole_ray(c, u, v, org, dir)) {
 		return false;
 	}
-	return make_unit(*org, dir);
+	return make_unit(*org, *dir, dir);
 }
 
 /* A quarter of the aperture is the lens's radius: the aperture is a diameter, of which POV-Ray's grid
@@ -183,7 +183,7 @@ bool camera_lens_ray(const struct camera *c, double x, double y, double width, d
 	off = vec_add(vec_scale(across, lens_x * r), vec_scale(up, lens_y * r));
 	*org = vec_add(*org, off);
 	*dir = vec_sub(vec_scale(*dir, c->focal_distance / vec_length(c->direction)), off);
-	return make_unit(*org, dir);
+	return make_unit(*org, *dir, dir);
 }
 
 /* The pattern is asked where the ray goes through a picture from -0.5 to 0.5, and the ray taken for a normal:

@@ -105,15 +105,18 @@ static void fall(struct tree *t, const struct plain_light *in)
 {
 	const struct plain *p = BUF_AT(&t->plain, struct plain, in->plain);
 	struct node *n = BUF_AT(&t->node, struct node, p->node);
-	const struct finish_light f = { .to_light = in->dir,
-					.eye = n->dir,
-					.normal = p->ns,
-					.light = in->colour,
-					.pigment = rgbft_rgb(p->layer->pigment.colour),
-					.opacity = 1,
-					.behind = in->behind,
-					.highlights = true };
+	struct finish_light f; /* set one by one: clearing it first takes longer */
 
+	f.to_light = in->dir;
+	f.eye = n->dir;
+	f.normal = p->ns;
+	f.light = in->colour;
+	f.pigment = rgbft_rgb(p->layer->pigment.colour);
+	f.opacity = 1;
+	f.noise = 0;
+	f.behind = in->behind;
+	f.highlights = true;
+	f.beneath = false;
 	n->colour = rgb_add(n->colour, finish_shade(&p->layer->finish, &f));
 }
 

@@ -203,7 +203,9 @@ static void drop_alpha(struct image *image)
 	for (size_t i = 0; i < pixels; i++) {
 		float *to = image->pixel + (n - 1) * i, *from = image->pixel + n * i;
 
-		memmove(to, from, 3 * sizeof(*to));
+		to[0] = from[0];
+		to[1] = from[1];
+		to[2] = from[2];
 		for (uint32_t k = 4; k < n; k++)
 			to[k - 1] = from[k];
 	}

@@ -173,6 +173,11 @@ void image_bytes_row(const struct image_bytes *b, uint32_t y, unsigned char *out
 		const float *p = row;
 		unsigned char *to = out + (size_t)i * size;
 
+		if (colour && b->quick && alpha < 0) { /* nearly always: nothing to ask for each sample */
+			for (uint32_t x = 0; x < im->width; x++, p += im->channels, to += count)
+				*to = srgb_byte(b, p[c]);
+			continue;
+		}
 		for (uint32_t x = 0; x < im->width; x++, p += im->channels, to += (size_t)count * size) {
 			if (!colour)
 				put_integer(quantise((double)p[c], top), b->bits, to);

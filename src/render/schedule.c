@@ -424,6 +424,7 @@ enum status render_scene(const struct scene *scene, const struct geometry *geome
 	j.shader.soft_rounds = soft_rounds(scene, &j.whole);
 	j.shader.subsurface_rays = subsurface_rays(scene, &j.whole);
 	j.shader.plain = shade_plain(&j.shader);
+	j.shader.plain_only = j.shader.plain && shade_plain_only(&j.shader);
 	j.across = (j.whole.crop_width + j.whole.tile - 1) / j.whole.tile;
 	pthread_mutex_init(&j.lock, NULL);
 	if (!make_workers(&j, threads, book)) {

@@ -77,6 +77,12 @@ static uint32_t pixel_at(double x, uint32_t size)
 	return x >= size ? size - 1 : (uint32_t)x;
 }
 
+void wave_pixel(const struct worker *w, double x, double y, uint32_t pixel[2])
+{
+	pixel[0] = pixel_at(x, w->options->width);
+	pixel[1] = pixel_at(y, w->options->height);
+}
+
 static void put_root(struct worker *w, struct node *n, const struct wave_root *r)
 {
 	static const struct node blank = { .weight = 1, .skip = ALD_NONE, .kind = NODE_CAMERA };
@@ -86,8 +92,7 @@ static void put_root(struct worker *w, struct node *n, const struct wave_root *r
 	n->key = r->key;
 	n->path = r->path;
 	n->inside = w->inside;
-	n->pixel[0] = pixel_at(r->x, w->options->width);
-	n->pixel[1] = pixel_at(r->y, w->options->height);
+	wave_pixel(w, r->x, r->y, n->pixel);
 	n->clear_sky = sh->alpha;
 	if (!root_ray(w, r, n)) {
 		n->nowhere = true;
@@ -178,6 +183,11 @@ static void follow_batch(struct worker *w, uint32_t first, uint32_t n, uint32_t 
 	}
 	if (!t->no_memory)
 		plain_light(w->shader, t, w->thread, hints & ALD_COHERENT, &counts);
+	for (uint32_t i = 0; i < t->plain.count; i++) {
+		const struct plain *p = BUF_AT(&t->plain, struct plain, i);
+
+		BUF_AT(&t->node, struct node, p->to)->colour = p->colour;
+	}
 	if (t->met.count && !t->no_memory)
 		shade_light(w->shader, t, w->thread, hints & ALD_COHERENT, &counts);
 	if (t->met.count && !t->no_memory)
@@ -312,12 +322,23 @@ bool wave_follow(struct worker *w, uint32_t roots)
 	return true;
 }
 
+void wave_take(const struct worker *w, uint32_t i, struct sample *s)
+{
+	const struct node *node = BUF_AT(&w->tree.node, struct node, i);
+
+	s->colour = node->colour;
+	s->variance = node->variance;
+	s->transmit = node->transmit;
+}
+
 bool wave_trace(struct worker *w, uint32_t first, uint32_t n)
 {
 	struct tree *t = &w->tree;
 
 	if (camera_has_lens(&w->shader->scene->camera))
 		return lens_trace(w, first, n);
+	if (w->shader->plain_only && !w->options->camera_only)
+		return wave_trace_short(w, first, n);
 	if (!wave_begin(w) || tree_push(t, &t->node, n) == TREE_NONE)
 		return false;
 	for (uint32_t i = 0; i < n; i++) {
@@ -328,13 +349,7 @@ bool wave_trace(struct worker *w, uint32_t first, uint32_t n)
 	}
 	if (!wave_follow(w, n))
 		return false;
-	for (uint32_t i = 0; i < n; i++) {
-		struct sample *s = BUF_AT(&w->sample, struct sample, first + i);
-		const struct node *node = BUF_AT(&t->node, struct node, i);
-
-		s->colour = node->colour;
-		s->variance = node->variance;
-		s->transmit = node->transmit;
-	}
+	for (uint32_t i = 0; i < n; i++)
+		wave_take(w, i, BUF_AT(&w->sample, struct sample, first + i));
 	return true;
 }

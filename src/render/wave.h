@@ -43,11 +43,18 @@ struct wave_root {
 	uint32_t path; /* and which of the rays that share it */
 };
 
+/* The same if w->shader->plain_only, without trees. */
+bool wave_trace_short(struct worker *w, uint32_t first, uint32_t n);
+
 /* The same in steps, for lens.c: begin, push each ray, follow all; then the tree's nodes from 0 on have
  * their colours. False as above. */
 bool wave_begin(struct worker *w);
 bool wave_push(struct worker *w, const struct wave_root *);
 bool wave_follow(struct worker *w, uint32_t roots);
+/* The sample's colour is node i's. */
+void wave_take(const struct worker *, uint32_t i, struct sample *);
+/* The pixel that a place in the picture belongs to. */
+void wave_pixel(const struct worker *, double x, double y, uint32_t pixel[2]);
 uint64_t wave_key(const struct sample *);
 /* The same for the seed that was asked for. */
 uint64_t wave_seeded(const struct worker *, uint64_t key);

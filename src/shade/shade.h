@@ -48,7 +48,7 @@ struct shader {
 	uint32_t subsurface_rays; /* from below a hit, to where light comes in */
 	bool lifts; /* shadow rays start on the smooth surface that a mesh stands for */
 	bool marks; /* rays are told their pixels, for verification */
-	bool plain; /* shade_plain() */
+	bool plain, plain_only; /* shade_plain(), shade_plain_only() */
 	bool insides; /* what rays are inside of is followed from the camera on */
 	struct open_sky {
 		struct rgb colour;
@@ -71,13 +71,17 @@ uint32_t shade_camera_inside(const struct shader *, struct tree *, vec org);
 
 /* Once all of the shader is known: may hits take the short way, pov/plain.c? */
 bool shade_plain(const struct shader *);
+/* And is there nothing else to be seen, by cameras whose rays are one a place? */
+bool shade_plain_only(const struct shader *);
 
 /* Find shader.open. */
 void shade_sky_init(struct shader *);
 /* A ray that left the scene. */
 void shade_sky(const struct shader *, struct node *);
-/* The short way, if shader.plain: tries a hit, true if it took it; then the light at all that took it. */
-bool plain_hit(const struct shader *, struct tree *, uint32_t node, const struct surface *, uint32_t prim);
+/* The short way, if shader.plain: tries a hit of a ray along dir, whose colour is to's; true if it took it. Then the
+ * light at all that took it, into the colours in tree.plain. */
+bool plain_hit(const struct shader *, struct tree *, uint32_t to, vec dir, const uint32_t pixel[2],
+	       const struct surface *, uint32_t prim);
 void plain_light(const struct shader *, struct tree *, uint32_t thread, uint32_t hints, struct shade_counts *);
 /* A ray that hit, unless it takes the short way: appends a met with its parts, layers and mirrors. */
 void shade_hit(const struct shader *, struct tree *, uint32_t node, const ald_ray *, const ald_hit *);

@@ -188,11 +188,16 @@ struct shadow {
 
 /* A hit that takes the short way (pov/plain.c), and one light at it. */
 struct plain {
-	uint32_t node, skip, light_set;
+	uint32_t to; /* whose colour it is: a node's, or a sample's */
+	uint32_t skip, light_set;
+	uint32_t pixel[2];
 	bool both_sides; /* double_illuminate */
+	bool lit; /* light does something to it */
+	vec dir; /* of the ray */
 	vec p, n, ns; /* as in struct met */
 	double error;
 	const struct layer *layer;
+	struct rgb colour;
 };
 
 struct plain_light {

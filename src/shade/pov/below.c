@@ -143,7 +143,8 @@ static bool look_below(struct below *b)
 		vec down = vec_neg(m->ns), into = p->bent ? p->into : down;
 		struct probe probe = { .place = i };
 
-		if (!below_push(b, shadow_origin(m->p, m->n, m->error, down), down, 2 * free_path(p) / b->mm, m->skip, &probe) ||
+		if (!below_push(b, shadow_origin(m->p, m->n, m->error, down), down, 2 * free_path(p) / b->mm, m->skip,
+				&probe) ||
 		    !below_push(b, shadow_origin(m->p, m->n, m->error, into), into, HUGE_VAL, m->skip, &probe))
 			return false;
 	}

@@ -38,10 +38,23 @@ static const struct layer *plain_layer(const struct shader *sh, const struct tex
 	return l;
 }
 
-bool plain_hit(const struct shader *sh, struct tree *t, uint32_t node, const struct surface *s, uint32_t prim)
+bool shade_plain_only(const struct shader *sh)
 {
-	struct node *n = BUF_AT(&t->node, struct node, node);
-	bool from_inside = vec_dot(s->ns, n->dir) > 0;
+	const struct scene *s = sh->scene;
+
+	if (s->sky || s->rainbow_count || s->camera.normal)
+		return false;
+	for (uint32_t i = 0; i < s->texture_count; i++) {
+		if (!plain_layer(sh, &s->texture[i]))
+			return false;
+	}
+	return true;
+}
+
+bool plain_hit(const struct shader *sh, struct tree *t, uint32_t to, vec dir, const uint32_t pixel[2],
+	       const struct surface *s, uint32_t prim)
+{
+	bool from_inside = vec_dot(s->ns, dir) > 0;
 	const struct layer *layer;
 	struct plain *p;
 	uint32_t i;
@@ -51,17 +64,19 @@ bool plain_hit(const struct shader *sh, struct tree *t, uint32_t node, const str
 	layer = plain_layer(sh, &sh->scene->texture[s->texture[0]]);
 	if (!layer)
 		return false;
-	n->light_set = s->light_set;
-	n->colour = rgb_add(n->colour, rgb_mul(rgbft_rgb(layer->pigment.colour),
-					       rgb_add(rgb_mul(layer->finish.ambient, sh->scene->ambient_light),
-						       layer->finish.emission)));
-	if (!finish_needs_light(&layer->finish, false))
-		return true;
 	i = tree_push(t, &t->plain, 1);
 	if (i == TREE_NONE)
 		return true;
 	p = BUF_AT(&t->plain, struct plain, i);
-	p->node = node;
+	p->to = to;
+	p->dir = dir;
+	p->pixel[0] = pixel[0];
+	p->pixel[1] = pixel[1];
+	p->lit = finish_needs_light(&layer->finish, false);
+	/* 0 is added as the long way does: it makes -0 a 0. */
+	p->colour = rgb_mul(rgbft_rgb(layer->pigment.colour),
+			    rgb_add(rgb_mul(layer->finish.ambient, sh->scene->ambient_light), layer->finish.emission));
+	p->colour = rgb_add(rgb_make(0, 0, 0), p->colour);
 	p->skip = s->planar ? prim : ALD_NONE;
 	p->light_set = s->light_set;
 	p->both_sides = s->flags & OBJECT_DOUBLE_ILLUMINATE;
@@ -74,8 +89,8 @@ bool plain_hit(const struct shader *sh, struct tree *t, uint32_t node, const str
 }
 
 /* A question to each light that can do anything to a surface; false: there is none. */
-static bool ask(const struct shader *sh, const struct plain *p, const struct light *l, const uint32_t pixel[2],
-		ald_ray *ray, struct plain_light *out)
+static bool ask(const struct shader *sh, const struct plain *p, const struct light *l, ald_ray *ray,
+		 struct plain_light *out)
 {
 	struct light_ray r = light_towards(l, p->p, vec_make(0, 0, 0));
 
@@ -97,18 +112,17 @@ static bool ask(const struct shader *sh, const struct plain *p, const struct lig
 	ray->skip = p->skip;
 	ray->after = ray->after_sub[0] = ray->after_sub[1] = ALD_NONE;
 	if (sh->marks)
-		trace_mark(ray, pixel, TRACE_FOR_SHADOW);
+		trace_mark(ray, p->pixel, TRACE_FOR_SHADOW);
 	return true;
 }
 
 static void fall(struct tree *t, const struct plain_light *in)
 {
-	const struct plain *p = BUF_AT(&t->plain, struct plain, in->plain);
-	struct node *n = BUF_AT(&t->node, struct node, p->node);
+	struct plain *p = BUF_AT(&t->plain, struct plain, in->plain);
 	struct finish_light f; /* set one by one: clearing it first takes longer */
 
 	f.to_light = in->dir;
-	f.eye = n->dir;
+	f.eye = p->dir;
 	f.normal = p->ns;
 	f.light = in->colour;
 	f.pigment = rgbft_rgb(p->layer->pigment.colour);
@@ -117,10 +131,10 @@ static void fall(struct tree *t, const struct plain_light *in)
 	f.behind = in->behind;
 	f.highlights = true;
 	f.beneath = false;
-	n->colour = rgb_add(n->colour, finish_shade(&p->layer->finish, &f));
+	p->colour = rgb_add(p->colour, finish_shade(&p->layer->finish, &f));
 }
 
-/* What tree.ray asks, to the nodes. */
+/* What tree.ray asks. */
 static void answer(const struct shader *sh, struct tree *t, uint32_t thread, uint32_t n, uint32_t hints,
 		   struct shade_counts *counts)
 {
@@ -155,9 +169,8 @@ void plain_light(const struct shader *sh, struct tree *t, uint32_t thread, uint3
 			const struct plain *p = BUF_AT(&t->plain, struct plain, i);
 			struct plain_light *to = BUF_AT(&t->plain_light, struct plain_light, n);
 
-			if (!scene_lit_by(sh->scene, l, p->light_set) ||
-			    !ask(sh, p, l, BUF_AT(&t->node, struct node, p->node)->pixel,
-				 BUF_AT(&t->ray, ald_ray, n), to))
+			if (!p->lit || !scene_lit_by(sh->scene, l, p->light_set) ||
+			    !ask(sh, p, l, BUF_AT(&t->ray, ald_ray, n), to))
 				continue;
 			to->plain = i;
 			n++;

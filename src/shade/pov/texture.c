@@ -280,8 +280,10 @@ void shade_hit(const struct shader *sh, struct tree *t, uint32_t node, const ald
 	struct met *m;
 
 	surface_at(sh->geometry, ray, hit, &s);
-	if (sh->plain && plain_hit(sh, t, node, &s, hit->prim))
+	if (sh->plain && plain_hit(sh, t, node, n->dir, n->pixel, &s, hit->prim)) {
+		n->light_set = s.light_set;
 		return;
+	}
 	index = tree_push(t, &t->met, 1);
 	if (index == TREE_NONE)
 		return;

@@ -18,7 +18,7 @@ static const ald_param params[] = {
 	{ "leaf", "triangles of a leaf at most", ALD_INT, 8, 1, SEATS * BLOCKS_MAX, NULL },
 	ISA_PARAM,
 	{ "interleave",
-	  "rays a thread walks with in turns, where they are not coherent; 0: 48; 1: each alone",
+	  "rays a thread walks with in turns; 0: 48, and herds of rays that go together; 1: each alone",
 	  ALD_INT, 0, 0, INTERLEAVE_MAX, NULL },
 	{ "build", "sah: made for rays; fast: made in 0.6 of the time, and nothing is split", ALD_CHOICE,
 	  BUILD_SAH, 0, 1, build_label },
@@ -100,6 +100,7 @@ static int bvh8_build(const ald_host *host, const ald_prims *prims, const double
 	if (!status)
 		status = host->progress(host->ctx, 0.8) ? ALD_CANCELLED : bvh8_widen(&b);
 	b.a->far = b.a->bytes > CACHE;
+	b.a->herds = !b.a->interleave;
 	if (!b.a->interleave)
 		b.a->interleave = INTERLEAVE_MAX;
 	host->free(host->ctx, b.ref);

@@ -69,6 +69,7 @@ struct ald_accel {
 	uint32_t root; /* a reference */
 	uint32_t nodes, blocks, others, leaves, depth, interleave;
 	int parts; /* triangles were split, so a ray can meet one again in another leaf */
+	int herds; /* where rays go together, so do they */
 	int far; /* the mesh is larger than a cache */
 	int fast; /* ALD_PRECISION_FAST: no bounds, and floats have the last word */
 	double centre[3], scale; /* to X */

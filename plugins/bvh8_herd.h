@@ -21,7 +21,7 @@
 #define HERD_ROW 3u /* of sixteen rays, that go together against a triangle */
 #define HERD_AHEAD 3u
 #define HERD_LEAST 16u
-#define HERD_TOGETHER 2u /* rays that open a node together, on average, or herds do not pay */
+#define HERD_TOGETHER 5u /* rays that open a node together, on average, or herds do not pay */
 #define HERD_FETCH (24 * sizeof(ald_ray)) /* how far ahead rays are fetched */
 #define TESTED UINT32_MAX
 

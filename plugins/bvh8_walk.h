@@ -284,7 +284,7 @@ static __attribute__((noinline)) void serve_herds(const ald_accel *a, ald_query 
 V void serve_many(const ald_accel *a, ald_query *q, const struct batch *b, int any)
 {
 #if ISA_LEVEL >= 2
-	if (b->n >= HERD_LEAST && a->interleave == INTERLEAVE_MAX) {
+	if (b->n >= HERD_LEAST && a->herds) {
 		serve_herds(a, q, b, any);
 		return;
 	}

@@ -23,7 +23,7 @@ static const char *spec[] = {
 	"octree:node=sphere,leaf=8", "octree:depth=0", "octree:leaf=1,depth=5,price=0",
 	"octree:leaf=1,depth=6,price=0,shape=box", "bvh8", "bvh8:isa=plain,leaf=1,interleave=1",
 	"bvh8:isa=sse,leaf=28,interleave=3,split=1",
-	"bvh8:isa=avx2,interleave=16,split=100", "bvh8:isa=avx512,leaf=5,interleave=8",
+	"bvh8:isa=avx2,split=100", "bvh8:isa=avx512,leaf=5,interleave=8",
 	"bvh8:build=fast", "bvh8:build=fast,isa=plain,leaf=1", "bvh8:build=fast,isa=sse,leaf=3",
 #ifdef HAVE_EMBREE
 	"embree", "embree:packet=16,isa=avx2,quality=high", "embree:packet=stream,isa=sse4.2,quality=low",

@@ -101,12 +101,23 @@ def leaks(folder, scale, k, accel, size, shape, holes=0):
     return count
 
 
+BLOB = ('blob { threshold 0.5 sphere { <-0.3, 0, 0>, 0.9, 1 } cylinder { 0, <0.7, 0.4, 0.2>, 0.6, 1 } '
+        'sphere { <0.2, 0.5, 0>, 0.6, -0.7 } ')
+LATHE = 'lathe { cubic_spline 6, <0.2, -1.2>, <0.6, -0.9>, <0.9, -0.2>, <0.3, 0.3>, <0.6, 0.9>, <0.4, 1.2> '
+SWEEP = ('sphere_sweep { b_spline 5, <-0.6, -0.6, 0>, 0.3 <-0.6, 0.6, 0>, 0.4 <0.6, 0.6, 0>, 0.2 <0.6, -0.6, 0>, 0.3 '
+         '<0, -0.7, 0.5>, 0.3 ')
+CUT = 'difference { box { -0.7, 0.7 } sphere { <0.5, 0.5, -0.5>, 0.7 } cylinder { -x, x, 0.3 } rotate <20, 30, 0> '
 SHAPES = {
     'sphere': lambda p, s: 'sphere { %s, %.17g' % (p((0, 1, 0)), s),
     'box': lambda p, s: 'box { %s, %s' % (p((-0.8, 0.1, -0.8)), p((0.7, 1.3, 0.9))),
     'cylinder': lambda p, s: 'cylinder { %s, %s, %.17g' % (p((-0.7, 0.6, 0)), p((0.6, 1, 0.3)), 0.5 * s),
     'cone': lambda p, s: 'cone { %s, %.17g, %s, %.17g' % (p((0, 0.1, 0)), 0.9 * s, p((0.2, 1.7, 0)), 0.1 * s),
     'torus': lambda p, s: 'torus { %.17g, %.17g rotate 40*x translate %s' % (0.8 * s, 0.3 * s, p((0, 0.9, 0))),
+    'blob': lambda p, s: BLOB + 'scale %.17g translate %s' % (s, p((0, 0.9, 0))),
+    'lathe': lambda p, s: LATHE + 'scale %.17g translate %s' % (s, p((0, 1.2, 0))),
+    'sphere_sweep': lambda p, s: SWEEP + 'scale %.17g translate %s' % (s, p((0, 1, 0))),
+    'superellipsoid': lambda p, s: 'superellipsoid { <0.3, 1.7> scale %.17g translate %s' % (s, p((0, 1, 0))),
+    'difference': lambda p, s: CUT + 'scale %.17g translate %s' % (s, p((0, 0.9, 0))),
 }
 
 

@@ -116,7 +116,7 @@ static void test_fast_extremes(void **state)
 	same_fast("small in large", &m);
 
 	mesh_torus(&m, (ald_vec){ 0, 0, 0 }, 1e150, 2e149, 40, 30);
-	mesh_triangle(&m, 0, 1, mesh_vertex(&m, NAN, 0, 0));
+	mesh_triangle(&m, 0, 1, mesh_vertex(&m, (double)NAN, 0, 0));
 	mesh_triangle(&m, 0, 1, 0);
 	same_fast("huge", &m);
 }

@@ -78,15 +78,18 @@ static void add_ray(struct lens_sum *l, const struct node *n)
 	l->count++;
 }
 
-/* How far off the mean of one channel may be, as it will be seen. */
+static double seen(double v, double gamma)
+{
+	return srgb_encode(fmin(1, fmax(0, tone_linear(v, gamma))));
+}
+
+/* How far off the mean of one channel may be, as it will be seen. Downwards more is doubted: a few highlights far
+ * above white would else make a pixel white for good. */
 static double error(double sum, double square, double n, double gamma)
 {
-	double mean = sum / n, variance = fmax(0, square / n - mean * mean) / (n - 1);
-	double low = tone_linear(mean, gamma), high = tone_linear(mean + sqrt(variance), gamma);
+	double mean = sum / n, off = sqrt(fmax(0, square / n - mean * mean) / (n - 1)), is = seen(mean, gamma);
 
-	low = fmin(1, fmax(0, low));
-	high = fmin(1, fmax(0, high));
-	return srgb_encode(high) - srgb_encode(low);
+	return fmax(seen(mean + off, gamma) - is, mean > 1 ? is - seen(mean - 4 * off, gamma) : 0);
 }
 
 static bool good_enough(const struct worker *w, const struct lens_sum *l)

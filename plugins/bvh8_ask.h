@@ -162,7 +162,7 @@ V void answer_take(const ald_accel *a, const struct batch *b, const struct answe
 	}
 }
 
-static __attribute__((noinline, unused)) void ask_exact(const ald_accel *a, const struct batch *b,
+static __attribute__((noinline, unused)) void ask_alone(const ald_accel *a, const struct batch *b,
 							const struct asked *q)
 {
 	for (uint32_t i = 0; i < q->n; i++) {
@@ -174,10 +174,11 @@ static __attribute__((noinline, unused)) void ask_exact(const ald_accel *a, cons
 	}
 }
 
-/* Decide all that is asked. */
-static __attribute__((noinline)) void ask(const ald_accel *a, const struct batch *b, struct asked *q)
+static __attribute__((noinline)) void ask_some(const ald_accel *a, const struct batch *b, struct asked *q)
 {
 	const ald_prims *p = a->prims;
+	const int alone = a->frame.exact || q->n == 1; /* one triangle is not worth the lanes */
+	struct question s = { 0 }; /* lanes that nothing is asked of hold what others left, or this */
 
 	for (uint32_t i = 0; i < q->n && a->far; i++)
 		__builtin_prefetch(&p->index[3 * (size_t)q->id[i]]);
@@ -186,28 +187,32 @@ static __attribute__((noinline)) void ask(const ald_accel *a, const struct batch
 
 		__builtin_prefetch((const char *)p->vertex + at);
 	}
-	for (uint32_t i = 0; i < q->n && !a->frame.exact; i += DW) {
-		struct question s;
+	for (uint32_t i = 0; i < q->n && !alone; i += DW) {
+		uint32_t n = q->n - i < DW ? q->n - i : DW;
 		struct answer r;
 
-		for (unsigned j = 0; j < DW; j++) {
-			uint32_t at = i + j < q->n ? i + j : q->n - 1;
+		for (unsigned j = 0; j < n; j++) {
+			const ald_ray *ray = &b->ray[q->ray[i + j]];
 
-			const ald_ray *ray = &b->ray[q->ray[at]];
-
-			question_set(&s, j, p, ray, b->hit ? b->hit[q->ray[at]].t : ray->tmax, q->id[at]);
+			question_set(&s, j, p, ray, b->hit ? b->hit[q->ray[i + j]].t : ray->tmax, q->id[i + j]);
 		}
 		answer(a, &s, &r);
-		for (uint32_t bits = r.hit | r.doubt; bits; bits &= bits - 1) {
+		for (uint32_t bits = (r.hit | r.doubt) & ((1u << n) - 1); bits; bits &= bits - 1) {
 			unsigned j = (unsigned)__builtin_ctz(bits);
-			uint32_t at = i + j < q->n ? i + j : q->n - 1;
 
-			answer_take(a, b, &r, j, q->ray[at], q->id[at]);
+			answer_take(a, b, &r, j, q->ray[i + j], q->id[i + j]);
 		}
 	}
-	if (a->frame.exact)
-		ask_exact(a, b, q);
+	if (alone)
+		ask_alone(a, b, q);
 	q->n = 0;
+}
+
+/* Decide all that is asked. */
+V void ask(const ald_accel *a, const struct batch *b, struct asked *q)
+{
+	if (q->n)
+		ask_some(a, b, q);
 }
 
 #endif

@@ -70,6 +70,7 @@ struct ald_accel {
 	uint32_t nodes, blocks, others, leaves, depth, interleave;
 	int parts; /* triangles were split, so a ray can meet one again in another leaf */
 	int herds; /* where rays go together, so do they */
+	int hasty; /* it was built fast */
 	int far; /* the mesh is larger than a cache */
 	int fast; /* ALD_PRECISION_FAST: no bounds, and floats have the last word */
 	double centre[3], scale; /* to X */
@@ -91,7 +92,7 @@ extern const uint8_t bvh8_lanes[256][8]; /* of each set of lanes, which they are
 extern const struct isa bvh8_plain, bvh8_sse, bvh8_avx2, bvh8_avx512;
 
 enum bvh8_param { P_SPLIT, P_LEAF, P_ISA, P_INTERLEAVE, P_BUILD };
-enum { BUILD_SAH, BUILD_FAST };
+enum { BUILD_AUTO, BUILD_SAH, BUILD_FAST };
 
 /* ---- building ---- */
 
@@ -135,12 +136,14 @@ struct builder {
 	float whole; /* half the area of the scene's box */
 	struct part *part; /* the top, and then the tasks */
 	struct seat *seat, *top_seat;
+	int fast; /* for few rays */
 	uint32_t refs, room; /* room: how many refs there may be */
 	uint32_t twigs_a_ref, root, top, tasks; /* top: twigs above the tasks */
 };
 
 void *bvh8_take(const ald_host *, uint64_t n, size_t each, const char *what);
 int bvh8_refs(struct builder *); /* ref[] or key[] from the primitives */
+int bvh8_is_thin(struct builder *); /* are triangles long and thin, so that cutting them would pay? */
 int bvh8_split(struct builder *); /* corner[] and room, if triangles are to be cut */
 int bvh8_tree(struct builder *, int (*make)(struct builder *)); /* ref[] in order, and twig[] */
 int bvh8_sah_base(struct builder *);

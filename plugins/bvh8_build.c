@@ -188,6 +188,23 @@ static struct grid scene_grid(const ald_accel *a)
 	return grid_of(q4_mul(q4_load(half), q4_all(-2)), 4 * most, CELLS);
 }
 
+/* Measured: for each triangle the fast builder saves the time that its tree costs RAYS rays more; where triangles
+ * are to be cut, so much more is saved and lost, RAYS_THIN. */
+#define RAYS 5.0
+#define RAYS_THIN 2.0
+
+static int is_fast(struct builder *b)
+{
+	const ald_host *h = b->host;
+	double rays = h->size > offsetof(ald_host, rays) ? h->rays : 0;
+
+	if (b->value[P_BUILD] != BUILD_AUTO)
+		return b->value[P_BUILD] == BUILD_FAST;
+	if (!(rays > 0) || rays > RAYS * b->refs)
+		return 0;
+	return rays < RAYS_THIN * b->refs || !bvh8_is_thin(b);
+}
+
 int bvh8_refs(struct builder *b)
 {
 	const ald_host *h = b->host;
@@ -210,7 +227,8 @@ int bvh8_refs(struct builder *b)
 		box = (ald_box){ { 0, 0, 0 }, { 0, 0, 0 } };
 	place(b->a, &box);
 	b->refs = b->room = refs;
-	if (b->value[P_BUILD] == BUILD_FAST)
+	b->a->hasty = b->fast = is_fast(b);
+	if (b->fast)
 		b->key = bvh8_take(h, refs, sizeof(*b->key), "bvh8: building");
 	else
 		b->ref = bvh8_take(h, refs, sizeof(*b->ref), "bvh8: building");

@@ -18,6 +18,7 @@
 #include "bvh8.h"
 
 #define CHUNK 1024u /* references that one job looks at */
+#define SOME 2048u /* triangles that are looked at, where a guess will do */
 #define LEVELS 8u /* of cuts of one triangle */
 #define GAIN 4.0
 #define ROOM 3.0 /* spatial splits, to what was counted */
@@ -201,25 +202,54 @@ static int make_room(struct chopper *c, uint64_t room, uint32_t jobs)
 	return ALD_OK;
 }
 
-int bvh8_split(struct builder *b)
+static struct chopper chopper(struct builder *b)
 {
-	const ald_host *h = b->host;
 	struct chopper c = { .b = b };
-	uint32_t jobs = (b->refs + CHUNK - 1) / CHUNK;
-	double lo[3], hi[3], room, most = b->value[P_SPLIT] * b->refs;
-	uint64_t n = 0;
+	double lo[3], hi[3];
 
-	if (b->value[P_SPLIT] <= 1 || !b->refs || most > 1e9)
-		return ALD_OK;
-	c.count = bvh8_take(h, jobs, sizeof(*c.count), "bvh8: building");
-	if (!c.count)
-		return ALD_NO_MEMORY;
 	for (unsigned k = 0; k < 3; k++) {
 		lo[k] = 0;
 		hi[k] = (ald_get(&b->a->box.hi, k) - ald_get(&b->a->box.lo, k)) * b->a->scale;
 	}
-	c.least = ald_max(GAIN * area(lo, hi) / b->refs, 0x1p-40);
+	c.least = ald_max(GAIN * area(lo, hi) / (b->refs ? b->refs : 1), 0x1p-40);
 	c.large = (float)(2 * c.least);
+	return c;
+}
+
+static int is_wanted(const struct builder *b)
+{
+	return b->value[P_SPLIT] > 1 && b->refs && b->value[P_SPLIT] * b->refs <= 1e9;
+}
+
+/* By some of them. */
+int bvh8_is_thin(struct builder *b)
+{
+	struct chopper c = chopper(b);
+	uint32_t step = b->prims->tri_count / SOME | 1, n = 0, more = 0;
+
+	for (uint32_t id = 0; id < b->prims->tri_count && is_wanted(b); id += step) {
+		struct polygon whole;
+
+		polygon_of(b, id, &whole);
+		n++;
+		more += is_thin(&whole) ? 0 : chop(&c, &whole, 0) - 1;
+	}
+	return more > n / 16;
+}
+
+int bvh8_split(struct builder *b)
+{
+	const ald_host *h = b->host;
+	struct chopper c = chopper(b);
+	uint32_t jobs = (b->refs + CHUNK - 1) / CHUNK;
+	double room, most = b->value[P_SPLIT] * b->refs;
+	uint64_t n = 0;
+
+	if (!is_wanted(b))
+		return ALD_OK;
+	c.count = bvh8_take(h, jobs, sizeof(*c.count), "bvh8: building");
+	if (!c.count)
+		return ALD_NO_MEMORY;
 	h->parallel(h->ctx, jobs, chop_job, &c);
 	for (uint32_t i = 0; i < jobs; i++)
 		n += c.count[i];

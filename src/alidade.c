@@ -31,6 +31,7 @@
 #include "look/stats.h"
 #include "read/pictures.h"
 #include "read/read.h"
+#include "render/foresee.h"
 #include "render/render.h"
 #include "scene/dump.h"
 #include "scene/scene.h"
@@ -153,6 +154,15 @@ static enum status run_read(struct run *run)
 	return settings_finish(s, &run->job, &run->diag);
 }
 
+/* Rays that the geometry will serve: of an animation all frames', until it shows that its shapes move. */
+static double foresee(const struct run *run)
+{
+	double rays = render_foresee(run->scene, &run->settings.render);
+	bool moves = run->progress.index > 1;
+
+	return moves || !run->progress.count ? rays : rays * (double)run->progress.count;
+}
+
 static enum status run_build(struct run *run)
 {
 	enum status st;
@@ -167,6 +177,7 @@ static enum status run_build(struct run *run)
 	geometry_free(run->geometry);
 	run->geometry = NULL;
 	run->built = NULL;
+	run->accel.rays = foresee(run);
 	st = geometry_build(&run->geometry, run->scene, &run->accel, run->pool, &run->book,
 			    run->settings.stats, &run->diag);
 	if (!st)

@@ -108,6 +108,9 @@ typedef struct {
 	/* Beyond an older host's size: there is none. Memory that a library of the plugin's takes, or below 0
 	 * gives back, accounted under what; 0: over the budget, it should be given back. [any] */
 	int (*account)(void *ctx, int64_t bytes, const char *what);
+	/* Beyond an older host's size: 0. About how many rays will be asked of what is built, for choosing how long
+	 * to build; 0: not known. What is found may not depend on it. */
+	double rays;
 } ald_host;
 
 enum { ALD_OK, ALD_NO_MEMORY, ALD_BAD_PARAM, ALD_CANCELLED, ALD_UNSUPPORTED, ALD_FAILED };

@@ -133,6 +133,7 @@ enum status geometry_build(struct geometry **out, const struct scene *scene,
 	g->plugin = choice && choice->plugin ? choice->plugin : &accel_brute;
 	g->precision = choice && choice->precision ? choice->precision : ALD_PRECISION_DEFAULT;
 	accel_host_init(&g->host, book, pool, diag, g->plugin->name);
+	g->host.host.rays = choice ? choice->rays : 0;
 	st = prim_compile(&g->set, scene, book, diag);
 	if (!st) {
 		g->view = mem_zalloc(book, "geometry",

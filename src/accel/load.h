@@ -17,6 +17,7 @@ struct accel_choice {
 	uint32_t precision; /* ALD_PRECISION_...; 0: the default one */
 	char path[4096]; /* where it was found */
 	double value[ACCEL_PARAMS_MAX];
+	double rays; /* about how many will be traced; 0: not known */
 };
 
 /* spec is NAME or NAME:key=value,key=value or ./path/file.so[:...]. NAME is searched in

@@ -4,6 +4,7 @@ src_libalidade_la_SOURCES += \
 	src/render/estimate.c src/render/estimate.h \
 	src/render/fill.c src/render/fill.h \
 	src/render/fold.c src/render/fold.h \
+	src/render/foresee.c src/render/foresee.h \
 	src/render/lens.c src/render/lens.h \
 	src/render/paths.c src/render/paths.h \
 	src/render/render.h \

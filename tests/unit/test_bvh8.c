@@ -121,11 +121,64 @@ static void test_fast_extremes(void **state)
 	same_fast("huge", &m);
 }
 
+/* Which builder it is that takes so many rays to a triangle. */
+static bool is_fast(const struct mesh *m, const char *accel, double rays, uint32_t size)
+{
+	struct accel *a = malloc(sizeof(*a));
+	const char *name = "";
+	double value = -1;
+	struct test_host h;
+
+	test_host_init(&h, 1, 0);
+	h.host.rays = rays * m->prims.count;
+	h.host.size = size;
+	assert_int_equal(accel_open(a, accel, &h, m), ALD_OK);
+	for (uint32_t i = 0; strcmp(name, "built fast") != 0; i++)
+		assert_true(a->choice.plugin->stat(a->it, i, &name, &value));
+	accel_close(a);
+	test_host_release(&h);
+	free(a);
+	return value != 0;
+}
+
+/* Few rays: soon; many: well; an older host, or one that doesn't know: well. Long thin triangles: well. */
+static void test_choice(void **state)
+{
+	struct mesh m = { 0 };
+	uint32_t size = sizeof(ald_host);
+
+	(void)state;
+	mesh_torus(&m, (ald_vec){ 0, 0, 0 }, 1, 0.3, 80, 60);
+	mesh_finish(&m, false, false, false);
+	assert_true(is_fast(&m, "bvh8", 1, size));
+	assert_false(is_fast(&m, "bvh8", 100, size));
+	assert_false(is_fast(&m, "bvh8", 0, size));
+	assert_false(is_fast(&m, "bvh8", 1, offsetof(ald_host, rays)));
+	assert_false(is_fast(&m, "bvh8:build=sah", 1, size));
+	assert_true(is_fast(&m, "bvh8:build=fast", 100, size));
+	mesh_release(&m);
+
+	m = (struct mesh){ 0 };
+	mesh_group(&m);
+	for (unsigned i = 0; i < 3000; i++) {
+		double x = i % 50 * 0.02, y = i / 50 * 0.02;
+
+		mesh_triangle(&m, mesh_vertex(&m, x, y, 0), mesh_vertex(&m, x + 0.01, y, 0),
+			      mesh_vertex(&m, x + 0.7, y + 0.8, 0.9));
+	}
+	mesh_finish(&m, false, false, false);
+	assert_false(is_fast(&m, "bvh8", 3, size));
+	assert_true(is_fast(&m, "bvh8", 0.5, size));
+	assert_true(is_fast(&m, "bvh8:split=1", 3, size));
+	mesh_release(&m);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_threads),
 		cmocka_unit_test(test_fast_extremes),
+		cmocka_unit_test(test_choice),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

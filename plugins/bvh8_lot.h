@@ -68,12 +68,14 @@ V void main_axis(const dv size[3], dm main[3])
 	main[2] = dm_less(all, dm_or(main[0], main[1]));
 }
 
-/* Lanes i and on, DW of them. x: origin, direction, tmin, tmax by component; last: nothing behind counts. */
+/* Lanes i and on, DW of them. x: origin, direction, tmin, tmax by component; last: nothing behind counts. Where all
+ * of them miss the scene's box, as most of a picture's rays may, that is all there is to do. */
 V void lot_doubles(const ald_accel *a, struct lot *l, unsigned i, const dv x[8], dv last)
 {
 	const double *lo = &a->box.lo.x, *hi = &a->box.hi.x, *middle = &a->frame.centre.x;
 	dv t0 = x[6], t1 = last, inv[3], size[3], turned[3], far, pad, up, tscale, huge = dv_all(0x1p400);
 	dm main[3], fine;
+	uint32_t live;
 
 	far = dv_add(dv_add(dv_size(dv_sub(x[0], dv_all(middle[0]))), dv_size(dv_sub(x[1], dv_all(middle[1])))),
 		     dv_size(dv_sub(x[2], dv_all(middle[2]))));
@@ -95,13 +97,16 @@ V void lot_doubles(const ald_accel *a, struct lot *l, unsigned i, const dv x[8],
 		t1 = dv_min(dv_mul(f, inv[k]), t1);
 		l->sign[k] |= (uint64_t)dm_bits(down) << i;
 	}
+	live = ~dm_bits(dv_gt(t0, t1)) & ((1u << DW) - 1);
+	if (!live)
+		return;
 	main_axis(size, main);
 	for (unsigned k = 0; k < 3; k++)
 		l->main[k] |= (uint64_t)dm_bits(main[k]) << i;
 	up = dv_pick(main[0], size[0], dv_pick(main[1], size[1], size[2]));
 	fine = dm_and(fine, dv_gt(up, dv_all(0x1p-400)));
 	up = dv_mul(dv_power(up), dv_all(2));
-	l->live |= (uint64_t)(~dm_bits(dv_gt(t0, t1)) & ((1u << DW) - 1)) << i;
+	l->live |= (uint64_t)live << i;
 	l->odd |= (uint64_t)(~dm_bits(fine) & ((1u << DW) - 1)) << i;
 	tscale = dv_mul(up, dv_all(a->scale));
 	dv_store(l->shift + i, t0);
@@ -165,8 +170,10 @@ V void lot_fill(const ald_accel *a, struct lot *l, const struct batch *b, uint32
 		last = b->hit ? dv_load(t) : x[7];
 		lot_doubles(a, l, i, x, last);
 	}
-	for (unsigned i = 0; i < n; i += 8)
-		lot_singles(a, l, i);
+	for (unsigned i = 0; i < n; i += 8) {
+		if (l->live >> i & 0xff)
+			lot_singles(a, l, i);
+	}
 	l->live &= n < LOT ? ((uint64_t)1 << n) - 1 : UINT64_MAX;
 	l->odd &= l->live;
 }

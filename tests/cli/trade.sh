@@ -229,7 +229,7 @@ ok "an animation" fails 2 "$TRADE" s.pov -- -f 1..3
 ok "standard input" fails 2 "$TRADE" -
 echo 'sphere { 0 }' >bad.pov
 ok "a scene that is wrong" sh -c '"$0" bad.pov 2>err; [ $? = 3 ] && grep -q "^alidade-trade: bad.pov:1:" err' "$TRADE"
-ok "no program" sh -c '"$0" --program=/nonexistent s.pov 2>err; [ $? = 1 ] && grep -q /nonexistent err' "$TRADE"
+ok "no program" sh -c '"$0" --program=/nonexistent s.pov 2>err; [ $? = 1 ] && grep -q "/nonexistent.*--program" err' "$TRADE"
 mkdir full && ln -s /dev/full full/results.jsonl
 if [ -c /dev/full ]; then
 	ok "a full disk" sh -c '"$0" -q --folder=full s.pov -- -s 24x18 2>err; [ $? = 1 ]' "$TRADE"

@@ -229,8 +229,8 @@ enum status trade_child_run(struct trade *t, struct trade_child *c)
 	began = clock_seconds();
 	fault = spawn(t, &f, argv, &pid);
 	if (fault)
-		return diag_fail(&t->diag, STATUS_FAILED, NULL, "%s could not be started: %s", t->program,
-				 strerror(fault));
+		return diag_fail(&t->diag, STATUS_FAILED, NULL, "%s could not be started: %s; --program names it",
+				 t->program, strerror(fault));
 	if (wait_for(pid, c, began, &how, &usage) < 0)
 		return diag_fail(&t->diag, STATUS_FAILED, NULL, "%s was lost: %s", t->program, strerror(errno));
 	c->value[TRADE_PROCESS] = clock_seconds() - began;

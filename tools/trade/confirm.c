@@ -25,8 +25,8 @@ static bool agree(const struct trade_range *again, const struct trade_range *fir
 }
 
 /* Machines are faster or slower by some hundredths from one hour to the next, for all settings alike. That is in no
- * interval of runs that were made within minutes, but the default, which takes turns with the pick, shows how much it
- * may be. Not all of a time drifts alike, so anything from none to all of it is allowed for. */
+ * interval of runs that were made within minutes, but another setting, which takes turns with the pick, shows how much
+ * it may be. Not all of a time drifts alike, so anything from none to all of it is allowed for. */
 static void compare_times(const struct trade *t, struct trade_verdict *v)
 {
 	struct trade_range r = v->time_again;
@@ -36,6 +36,26 @@ static void compare_times(const struct trade *t, struct trade_verdict *v)
 	v->time_holds = agree(&r, &v->pick->range[t->clock], 1);
 }
 
+/* The other one: the default; and for the default, what takes most nearly as long. NULL: there is none. */
+static const struct trade_setting *pacer_of(const struct trade *t, const struct trade_setting *pick)
+{
+	const struct trade_setting *best = NULL;
+	double own = pick->range[t->clock].median, least = INFINITY;
+
+	if (pick != t->setting)
+		return t->setting;
+	for (uint32_t i = 1; i < t->settings; i++) {
+		const struct trade_setting *s = &t->setting[i];
+		double off = fabs(s->range[t->clock].median - own);
+
+		if (!s->failure && s->range[t->clock].count && off < least) {
+			best = s;
+			least = off;
+		}
+	}
+	return best;
+}
+
 static enum status run_again(struct trade *t, struct trade_verdict *v)
 {
 	double time[TRADE_RUNS], error[TRADE_RUNS], base[TRADE_RUNS];
@@ -43,13 +63,14 @@ static enum status run_again(struct trade *t, struct trade_verdict *v)
 	uint32_t n = 0;
 	enum status st = STATUS_OK;
 
+	v->pacer = pacer_of(t, v->pick);
 	while (n < t->repeat && !st) {
 		struct trade_run r = { .seed = t->seed ? t->seed : SEED_FIRST + n }, other = r;
 		struct trade_child c = { .seed = r.seed }, d = c;
 
 		st = interrupt_asked() ? STATUS_SIGINT : trade_run_once(t, v->pick, &c, &r);
-		if (!st && v->pick != t->setting)
-			st = trade_run_once(t, t->setting, &d, &other);
+		if (!st && v->pacer)
+			st = trade_run_once(t, v->pacer, &d, &other);
 		if (st || c.message[0] || d.message[0])
 			break;
 		time[n] = r.value[t->clock];
@@ -59,8 +80,8 @@ static enum status run_again(struct trade *t, struct trade_verdict *v)
 	trade_range_of(time, n, &v->time_again);
 	trade_range_of(error, n, &v->error_again);
 	trade_range_of(base, n, &base_again);
-	v->drift = base_again.median / t->setting[0].range[t->clock].median;
-	if (v->pick == t->setting || !(v->drift > 0))
+	v->drift = v->pacer ? base_again.median / v->pacer->range[t->clock].median : 1;
+	if (!(v->drift > 0))
 		v->drift = 1;
 	return st;
 }
@@ -90,6 +111,7 @@ enum status trade_confirm(struct trade *t)
 			st = run_again(t, v);
 		v->time_again = t->verdict[k].time_again;
 		v->error_again = t->verdict[k].error_again;
+		v->pacer = t->verdict[k].pacer;
 		v->drift = t->verdict[k].drift;
 		compare_times(t, v);
 		v->error_holds = agree(&v->error_again, &v->pick->range[t->error], TRADE_GAIN);

@@ -188,9 +188,9 @@ const char *trade_confirm_text(struct trade *t, const struct trade_verdict *v)
 
 	if (!v->time_again.count)
 		return NULL;
-	if (v->pick != t->setting)
-		drift = trade_text(t, " if the machine's drift is allowed for (the default took %.3f times as "
-				      "long as then)", v->drift);
+	if (v->pacer)
+		drift = trade_text(t, " if the machine's drift is allowed for (%s took %.3f times as long as then)",
+				   v->pacer == t->setting ? "the default" : v->pacer->label, v->drift);
 	return trade_text(t, "Drawn again %u times: %s %s, %s%s; %s %s, %s; the bound is %s.", v->time_again.count,
 			  trade_column[t->clock].title, range_text(t, t->clock, &v->time_again),
 			  held[v->time_holds], drift, trade_column[t->error].title,

@@ -104,7 +104,8 @@ struct trade_verdict {
 	const struct trade_setting **tied; /* not told apart from it */
 	uint32_t ties;
 	struct trade_range time_again, error_again; /* of runs made to confirm it; count 0: there were none */
-	double drift; /* how many times as long the default took meanwhile as before; 1 where it is the pick */
+	const struct trade_setting *pacer; /* took turns with it then, or NULL */
+	double drift; /* how many times as long that took as before; 1 without one */
 	bool time_holds, error_holds; /* their intervals overlap those found before, drift being allowed for in times */
 	bool bound_holds; /* and their median keeps the bound */
 };

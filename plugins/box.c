@@ -35,6 +35,14 @@ static int box_build(const ald_host *host, const ald_prims *prims, const double 
 	return status;
 }
 
+static int box_predict(const ald_host *host, const ald_prims *prims, const double *value, ald_memory *out)
+{
+	(void)host;
+	(void)value;
+	flat_predict(prims, FLAT_BOX, sizeof(ald_accel), out);
+	return ALD_OK;
+}
+
 static void box_intersect_n(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit, uint32_t n,
 			     uint32_t hints)
 {
@@ -86,4 +94,5 @@ const ald_accel_plugin ald_accel_entry = {
 	.occluded_n = box_occluded_n,
 	.stat = box_stat,
 	.walk = box_walk,
+	.predict = box_predict,
 };

@@ -104,6 +104,7 @@ static int bvh8_build(const ald_host *host, const ald_prims *prims, const double
 	if (!b.a->interleave)
 		b.a->interleave = INTERLEAVE_MAX;
 	host->free(host->ctx, b.ref);
+	host->free(host->ctx, b.id);
 	host->free(host->ctx, b.key);
 	host->free(host->ctx, b.twig);
 	host->free(host->ctx, b.task);
@@ -253,4 +254,5 @@ const ald_accel_plugin ald_accel_entry = {
 	.occluded_n = bvh8_occluded_n,
 	.stat = bvh8_stat,
 	.walk = bvh8_walk,
+	.predict = bvh8_predict,
 };

@@ -129,6 +129,7 @@ struct builder {
 	const double *value;
 	ald_accel *a;
 	struct ref *ref, *spare; /* spare: of the same size, for parallel sorting */
+	uint32_t *id; /* of ref[], once that is in order and gone */
 	uint64_t *key; /* instead of ref, building fast: of a place on a curve, and below that of a primitive */
 	struct twig *twig;
 	void *task; /* ranges that were one job each */
@@ -145,7 +146,15 @@ void *bvh8_take(const ald_host *, uint64_t n, size_t each, const char *what);
 int bvh8_refs(struct builder *); /* ref[] or key[] from the primitives */
 int bvh8_is_thin(struct builder *); /* are triangles long and thin, so that cutting them would pay? */
 int bvh8_split(struct builder *); /* corner[] and room, if triangles are to be cut */
-int bvh8_tree(struct builder *, int (*make)(struct builder *)); /* ref[] in order, and twig[] */
+int bvh8_is_fast(struct builder *); /* by value, or by how many rays there will be */
+/* Of the references, of which id[n] is a sample: for how many there would be room; *wanted: what triangles cut in
+ * thought came to. */
+double bvh8_room(struct builder *, const uint32_t *id, uint32_t n, double *wanted);
+void bvh8_place(ald_accel *, const ald_box *); /* the coordinates X, from the scene's box */
+int bvh8_can_be_hit(const ald_prims *, uint32_t id);
+int bvh8_predict(const ald_host *, const ald_prims *, const double *value, ald_memory *out);
+int bvh8_tree(struct builder *, int (*make)(struct builder *)); /* ref[] to id[] in order, and twig[] */
+uint32_t bvh8_top_twigs(uint32_t refs);
 int bvh8_sah_base(struct builder *);
 int bvh8_sah_avx2(struct builder *);
 int bvh8_fast(struct builder *, void (*crop)(void *fast, uint32_t i)); /* key[] in order, and twig[] */

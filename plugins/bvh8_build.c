@@ -123,7 +123,7 @@ static void scan_job(void *arg, uint32_t job)
 	s->chunk[job] = c;
 }
 
-static int is_valid(const ald_prims *p, uint32_t id)
+int bvh8_can_be_hit(const ald_prims *p, uint32_t id)
 {
 	struct corners v;
 
@@ -144,7 +144,7 @@ static void ref_job(void *arg, uint32_t job)
 	hull h;
 
 	for (uint32_t id = job * CHUNK; id < end; id++) {
-		if (!all && !is_valid(p, id))
+		if (!all && !bvh8_can_be_hit(p, id))
 			continue;
 		h = prim_hull(b->a, &x, p, id);
 		if (b->key) {
@@ -159,7 +159,7 @@ static void ref_job(void *arg, uint32_t job)
 
 /* From the scene's box the coordinates X. The box is that of all bounds(), as in other accelerators: the
  * kernel's own bounds depend on it. */
-static void place(ald_accel *a, const ald_box *box)
+void bvh8_place(ald_accel *a, const ald_box *box)
 {
 	double size = 0;
 	int power;
@@ -193,7 +193,7 @@ static struct grid scene_grid(const ald_accel *a)
 #define RAYS 5.0
 #define RAYS_THIN 2.0
 
-static int is_fast(struct builder *b)
+int bvh8_is_fast(struct builder *b)
 {
 	const ald_host *h = b->host;
 	double rays = h->size > offsetof(ald_host, rays) ? h->rays : 0;
@@ -225,9 +225,9 @@ int bvh8_refs(struct builder *b)
 	}
 	if (!b->prims->count)
 		box = (ald_box){ { 0, 0, 0 }, { 0, 0, 0 } };
-	place(b->a, &box);
+	bvh8_place(b->a, &box);
 	b->refs = b->room = refs;
-	b->a->hasty = b->fast = is_fast(b);
+	b->a->hasty = b->fast = bvh8_is_fast(b);
 	if (b->fast)
 		b->key = bvh8_take(h, refs, sizeof(*b->key), "bvh8: building");
 	else

@@ -159,6 +159,14 @@ static int cut(const struct builder *b, const struct range *r, struct range *lef
 	return 1;
 }
 
+/* Its references keep their places, and nothing but their numbers is needed of them any more. */
+static void set_leaf(const struct builder *b, const struct range *r)
+{
+	set_twig(&b->twig[r->twig], r, r->first, r->count);
+	for (uint32_t i = r->first; i < r->first + r->count; i++)
+		b->id[i] = b->ref[i].id;
+}
+
 static void grow(struct grower *g, struct range *r)
 {
 	struct range left, right;
@@ -167,7 +175,7 @@ static void grow(struct grower *g, struct range *r)
 	if (g->b->corner && r->count <= 2 * SEATS)
 		join_parts_of(g->b, r);
 	if (!cut(g->b, r, &left, &right)) {
-		set_twig(&g->b->twig[r->twig], r, r->first, r->count);
+		set_leaf(g->b, r);
 		return;
 	}
 	set_twig(&g->b->twig[r->twig], r, kid, 0);

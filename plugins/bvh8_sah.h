@@ -302,7 +302,10 @@ static uint32_t next_front(struct front *f, uint32_t n, uint32_t *twigs)
 	for (uint32_t i = 0; i < n; i++) {
 		const struct range *r = &f->range[i];
 
-		set_twig(&b->twig[r->twig], r, f->is_cut[i] ? *twigs : r->first, f->is_cut[i] ? 0 : r->count);
+		if (f->is_cut[i])
+			set_twig(&b->twig[r->twig], r, *twigs, 0);
+		else
+			set_leaf(b, r);
 		for (unsigned k = 0; k < 2 && f->is_cut[i]; k++) {
 			struct range kid = f->next[2 * i + k];
 

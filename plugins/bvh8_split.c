@@ -140,6 +140,15 @@ static void polygon_of(const struct builder *b, uint32_t id, struct polygon *par
 	}
 }
 
+/* How many more references a triangle makes. */
+static uint32_t parts_of(const struct chopper *c, uint32_t id)
+{
+	struct polygon whole;
+
+	polygon_of(c->b, id, &whole);
+	return is_thin(&whole) ? 0 : chop(c, &whole, 0) - 1;
+}
+
 static void chop_job(void *arg, uint32_t job)
 {
 	const struct chopper *c = arg;
@@ -148,14 +157,10 @@ static void chop_job(void *arg, uint32_t job)
 	for (uint32_t i = job * CHUNK; i < end; i++) {
 		const struct ref *r = &c->b->ref[i];
 		float x = r->lo[0] + r->minus_hi[0], y = r->lo[1] + r->minus_hi[1], z = r->lo[2] + r->minus_hi[2];
-		struct polygon whole;
 
 		n++;
-		if (x * y + y * z + z * x <= c->large || r->id >= c->b->prims->tri_count)
-			continue;
-		polygon_of(c->b, r->id, &whole);
-		if (!is_thin(&whole))
-			n += chop(c, &whole, 0) - 1;
+		if (x * y + y * z + z * x > c->large && r->id < c->b->prims->tri_count)
+			n += parts_of(c, r->id);
 	}
 	c->count[job] = n;
 }
@@ -227,14 +232,28 @@ int bvh8_is_thin(struct builder *b)
 	struct chopper c = chopper(b);
 	uint32_t step = b->prims->tri_count / SOME | 1, n = 0, more = 0;
 
-	for (uint32_t id = 0; id < b->prims->tri_count && is_wanted(b); id += step) {
-		struct polygon whole;
-
-		polygon_of(b, id, &whole);
-		n++;
-		more += is_thin(&whole) ? 0 : chop(&c, &whole, 0) - 1;
-	}
+	for (uint32_t id = 0; id < b->prims->tri_count && is_wanted(b); id += step, n++)
+		more += parts_of(&c, id);
 	return more > n / 16;
+}
+
+/* For how many references there is to be room, if triangles cut in thought came to so many. */
+static double room_for(const struct builder *b, double n)
+{
+	if (n < b->refs + b->refs / 16 + 1)
+		return b->refs;
+	return ald_min(b->refs + ROOM * (n - b->refs), b->value[P_SPLIT] * b->refs);
+}
+
+double bvh8_room(struct builder *b, const uint32_t *id, uint32_t n, double *wanted)
+{
+	struct chopper c = chopper(b);
+	double more = 0;
+
+	for (uint32_t i = 0; i < n && is_wanted(b); i++)
+		more += id[i] < b->prims->tri_count ? parts_of(&c, id[i]) : 0;
+	*wanted = n ? b->refs * (1 + more / n) : b->refs;
+	return room_for(b, *wanted);
 }
 
 int bvh8_split(struct builder *b)
@@ -242,8 +261,8 @@ int bvh8_split(struct builder *b)
 	const ald_host *h = b->host;
 	struct chopper c = chopper(b);
 	uint32_t jobs = (b->refs + CHUNK - 1) / CHUNK;
-	double room, most = b->value[P_SPLIT] * b->refs;
 	uint64_t n = 0;
+	double room;
 
 	if (!is_wanted(b))
 		return ALD_OK;
@@ -254,8 +273,6 @@ int bvh8_split(struct builder *b)
 	for (uint32_t i = 0; i < jobs; i++)
 		n += c.count[i];
 	h->free(h->ctx, c.count);
-	if (n < b->refs + b->refs / 16 + 1)
-		return ALD_OK;
-	room = b->refs + ROOM * (double)(n - b->refs);
-	return make_room(&c, (uint64_t)(room < most ? room : most), jobs);
+	room = room_for(b, (double)n);
+	return room > b->refs ? make_room(&c, (uint64_t)room, jobs) : ALD_OK;
 }

@@ -118,7 +118,7 @@ static void open_again(const struct widener *w, const struct part *p, const stru
 
 V uint32_t id_of(const struct builder *b, uint32_t ref)
 {
-	return b->key ? (uint32_t)b->key[ref] : b->ref[ref].id;
+	return b->key ? (uint32_t)b->key[ref] : b->id[ref];
 }
 
 static int holds_others(const struct builder *b, const struct twig *t)
@@ -308,7 +308,7 @@ static void fetch_leaves(const struct builder *b, const struct opened *o, unsign
 			uint32_t ref = t->kid + i, id;
 
 			if (!step) {
-				__builtin_prefetch(b->key ? (const void *)&b->key[ref] : &b->ref[ref]);
+				__builtin_prefetch(b->key ? (const void *)&b->key[ref] : &b->id[ref]);
 			} else if ((id = id_of(b, ref)) < p->tri_count) {
 				const uint32_t *v = p->index + 3 * (size_t)id;
 

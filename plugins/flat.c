@@ -110,6 +110,11 @@ static int add_volumes(struct flat *f)
 
 /* ---- triangles ---- */
 
+static uint32_t groups_in(const struct range *r)
+{
+	return (r->tris - r->first + GROUP - 1) / GROUP;
+}
+
 /* Group at, of a range; owner: its number among the contract's, or ALD_NONE. */
 static void fill_group(struct flat *f, const struct range *r, uint32_t at, uint32_t owner)
 {
@@ -137,7 +142,7 @@ static void fill_job(void *arg, uint32_t job)
 
 	for (uint32_t i = 0; i < f->ranges; i++) {
 		const struct range *r = &f->range[i];
-		uint32_t n = (r->tris - r->first + GROUP - 1) / GROUP;
+		uint32_t n = groups_in(r);
 		uint32_t at = r->group < from ? from - r->group : 0;
 
 		for (; at < n && r->group + at < to; at++)
@@ -145,22 +150,49 @@ static void fill_job(void *arg, uint32_t job)
 	}
 }
 
+static uint32_t ranges_of(const ald_prims *p, enum flat_kind kind)
+{
+	return kind == FLAT_NONE ? 1 : p->group_count;
+}
+
+/* Range i, which begins with this group. */
+static struct range range_at(const ald_prims *p, enum flat_kind kind, uint32_t i, uint32_t group)
+{
+	uint32_t first = kind == FLAT_NONE ? 0 : p->group_first[i];
+	uint32_t end = kind == FLAT_NONE ? p->count : p->group_first[i + 1];
+	uint32_t tris = end < p->tri_count ? end : p->tri_count;
+
+	return (struct range){ first, tris < first ? first : tris, end, group };
+}
+
 static uint32_t cut_ranges(struct flat *f)
 {
-	const ald_prims *p = f->prims;
 	uint32_t groups = 0;
 
-	for (uint32_t g = 0; g < f->ranges; g++) {
-		uint32_t first = f->kind == FLAT_NONE ? 0 : p->group_first[g];
-		uint32_t end = f->kind == FLAT_NONE ? p->count : p->group_first[g + 1];
-		uint32_t tris = end < p->tri_count ? end : p->tri_count;
-
-		if (tris < first)
-			tris = first;
-		f->range[g] = (struct range){ first, tris, end, groups };
-		groups += (tris - first + GROUP - 1) / GROUP;
+	for (uint32_t i = 0; i < f->ranges; i++) {
+		f->range[i] = range_at(f->prims, f->kind, i, groups);
+		groups += groups_in(&f->range[i]);
 	}
 	return groups;
+}
+
+void flat_predict(const ald_prims *p, enum flat_kind kind, size_t accel, ald_memory *out)
+{
+	uint64_t groups = 0, ranges = ranges_of(p, kind), volumes = 0, fast = 0;
+
+	for (uint32_t i = 0; i < ranges; i++) {
+		struct range r = range_at(p, kind, i, 0);
+
+		groups += groups_in(&r);
+	}
+	if (kind != FLAT_NONE)
+		volumes = (ranges + 1) *
+			  (sizeof(float[8]) + (kind == FLAT_BALL ? sizeof(struct ball) : sizeof(ald_box)));
+	if (p->precision == ALD_PRECISION_FAST)
+		fast = (2 * groups + 1) * sizeof(ald_fast_triangles);
+	out->kept = accel + (ranges + 1) * sizeof(struct range) + volumes + (groups + 1) * sizeof(struct group) + fast;
+	out->peak = out->kept;
+	out->scratch = 0;
 }
 
 static const struct flat_isa *isa_of(unsigned isa)
@@ -183,7 +215,7 @@ int flat_init(struct flat *f, const ald_host *host, const ald_prims *prims, enum
 	uint32_t groups;
 
 	*f = (struct flat){ .host = host, .prims = prims, .kind = kind };
-	f->ranges = kind == FLAT_NONE ? 1 : prims->group_count;
+	f->ranges = ranges_of(prims, kind);
 	isa = isa_choose(isa, err);
 	if (isa == ISA_AUTO)
 		return ALD_BAD_PARAM;

@@ -59,6 +59,8 @@ extern const struct flat_isa flat_plain, flat_sse, flat_avx2, flat_avx512;
 
 /* One range for everything (FLAT_NONE), or one for each of the contract's groups. isa: a parameter's value. */
 int flat_init(struct flat *, const ald_host *, const ald_prims *, enum flat_kind, unsigned isa, ald_error *);
+/* What flat_init() takes; of ald_accel, whose size is told, too. */
+void flat_predict(const ald_prims *, enum flat_kind, size_t accel, ald_memory *out);
 void flat_release(struct flat *);
 int flat_intersect(const struct flat *, ald_query *, const ald_ray *, ald_hit *);
 int flat_occluded(const struct flat *, ald_query *, const ald_ray *);

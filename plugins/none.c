@@ -36,6 +36,14 @@ static int none_build(const ald_host *host, const ald_prims *prims, const double
 	return status;
 }
 
+static int none_predict(const ald_host *host, const ald_prims *prims, const double *value, ald_memory *out)
+{
+	(void)host;
+	(void)value;
+	flat_predict(prims, FLAT_NONE, sizeof(ald_accel), out);
+	return ALD_OK;
+}
+
 static void none_intersect_n(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit, uint32_t n,
 			     uint32_t hints)
 {
@@ -81,4 +89,5 @@ const ald_accel_plugin ald_accel_entry = {
 	.intersect_n = none_intersect_n,
 	.occluded_n = none_occluded_n,
 	.stat = none_stat,
+	.predict = none_predict,
 };

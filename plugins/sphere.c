@@ -36,6 +36,14 @@ static int sphere_build(const ald_host *host, const ald_prims *prims, const doub
 	return status;
 }
 
+static int sphere_predict(const ald_host *host, const ald_prims *prims, const double *value, ald_memory *out)
+{
+	(void)host;
+	(void)value;
+	flat_predict(prims, FLAT_BALL, sizeof(ald_accel), out);
+	return ALD_OK;
+}
+
 static void sphere_intersect_n(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit, uint32_t n,
 			     uint32_t hints)
 {
@@ -87,4 +95,5 @@ const ald_accel_plugin ald_accel_entry = {
 	.occluded_n = sphere_occluded_n,
 	.stat = sphere_stat,
 	.walk = sphere_walk,
+	.predict = sphere_predict,
 };

@@ -23,6 +23,7 @@
 #include "base/mem.h"
 #include "base/pool.h"
 #include "base/process.h"
+#include "base/room.h"
 #include "image/image.h"
 #include "look/progress.h"
 #include "look/reached.h"
@@ -178,6 +179,8 @@ static enum status run_build(struct run *run)
 	run->geometry = NULL;
 	run->built = NULL;
 	run->accel.rays = foresee(run);
+	run->accel.guard = true;
+	run->accel.later = render_memory(&run->settings.render, pool_threads(run->pool));
 	st = geometry_build(&run->geometry, run->scene, &run->accel, run->pool, &run->book,
 			    run->settings.stats, &run->diag);
 	if (!st)
@@ -310,7 +313,8 @@ static enum status write_stats(struct run *run, bool complete)
 		.options = run->options_text, .accel = run->accel_text,
 		.scene_hash = scene_hash(run->scene), .threads = pool_threads(run->pool),
 		.width = run->image.width, .height = run->image.height, .geometry = run->geometry,
-		.render = &run->counts, .book = &run->book, .read_seconds = run->read_seconds,
+		.render = &run->counts, .book = &run->book, .process_most = room_process_most(),
+		.read_seconds = run->read_seconds,
 		.write_seconds = run->write_seconds, .complete = complete,
 		.animated = run->plan.animated, .frame = s->read.frame.number,
 		.clock = s->read.frame.clock, .reused = run->reused, .pictures_kept = run->pictures.kept,

@@ -89,6 +89,8 @@ struct ald_prims { /* what to accelerate; owned by the host, outlives the ald_ac
 	const ald_vec *origin; /* [group_count] to be added to a group's vertices, or NULL */
 	const uint32_t *index; /* [3 * tri_count] */
 	const void *vertex;
+	/* Beyond an older host's size: there is none. */
+	ald_box box; /* around all that bounds() gives; lo > hi: of no primitives, or not known */
 };
 
 /* Services, valid until the last destroy() returns; all but log and account in [setup] only. */
@@ -112,6 +114,11 @@ typedef struct {
 	 * to build; 0: not known. What is found may not depend on it. */
 	double rays;
 } ald_host;
+
+typedef struct { /* bytes of the host's, and of libraries that are accounted */
+	uint64_t peak, kept; /* at most at a time while it is built, with what is kept; and from then on */
+	uint64_t scratch; /* scratch_size() */
+} ald_memory;
 
 enum { ALD_OK, ALD_NO_MEMORY, ALD_BAD_PARAM, ALD_CANCELLED, ALD_UNSUPPORTED, ALD_FAILED };
 typedef struct {
@@ -161,6 +168,9 @@ typedef struct {
 									those it opens; none */
 	const void *(*extension)(const char *id); /* "org.example.thing/1" to a struct; NULL */
 	uint32_t inexact; /* bit i: with params[i] other than its default, R1 and R2 do not hold; 0 */
+	/* [setup] What build() is going to take, to within a tenth, in a hundredth of its time: look at a sample.
+	 * Takes little itself. Other than ALD_OK: it can't be told; that */
+	int (*predict)(const ald_host *, const ald_prims *, const double *value, ald_memory *out);
 } ald_accel_plugin;
 
 /* The order that makes all accelerators agree: nearer first, then the smaller id (R2). */

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * mine: an accelerator to start your own from. It is whole and right: a hierarchy of boxes, each halved
- * at the middle of its primitives. It has no more than the three functions that a plugin must have;
+ * at the middle of its primitives. It has the three functions that a plugin must have, and one more;
  * alidade-accel(3) tells of the others, and of the rules R1 to R7 that the comments here name.
  */
 #include <alidade/accel.h>
@@ -144,6 +144,20 @@ static int mine_build(const ald_host *host, const ald_prims *prims, const double
 	return ALD_OK;
 }
 
+/* What mine_build() takes: optional, and then the host refuses what would not fit before it is built. The nodes that
+ * are kept are those that there is room for, so nothing has to be looked at. */
+static int mine_predict(const ald_host *host, const ald_prims *prims, const double *value, ald_memory *out)
+{
+	uint64_t n = prims->count;
+
+	(void)host;
+	(void)value;
+	out->kept = sizeof(ald_accel) + (2 * n + 1) * sizeof(struct node) + (n + 1) * sizeof(uint32_t);
+	out->peak = out->kept + (n + 1) * sizeof(struct item);
+	out->scratch = 0;
+	return ALD_OK;
+}
+
 /* ---- [render]: any thread; no locks, no allocation (R6) ---- */
 
 static int test(const ald_accel *a, uint32_t id, const ald_prep *prep, ald_query *q, const ald_ray *ray,
@@ -226,4 +240,5 @@ const ald_accel_plugin ald_accel_entry = {
 	.build = mine_build,
 	.intersect = mine_intersect,
 	.destroy = mine_destroy,
+	.predict = mine_predict,
 };

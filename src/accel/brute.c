@@ -31,6 +31,15 @@ static int brute_build(const ald_host *host, const ald_prims *prims, const doubl
 	return ALD_OK;
 }
 
+static int brute_predict(const ald_host *host, const ald_prims *prims, const double *value, ald_memory *out)
+{
+	(void)host;
+	(void)prims;
+	(void)value;
+	*out = (ald_memory){ sizeof(ald_accel), sizeof(ald_accel), 0 };
+	return ALD_OK;
+}
+
 static int brute_intersect(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit)
 {
 	const ald_prims *p = a->prims;
@@ -74,4 +83,5 @@ const ald_accel_plugin accel_brute = {
 	.build = brute_build,
 	.intersect = brute_intersect,
 	.destroy = brute_destroy,
+	.predict = brute_predict,
 };

@@ -44,6 +44,7 @@ static void show_level(struct view *v, const struct geometry *g, const struct pr
 		.vertex_double = l->vertex_double,
 		.index = l->index,
 		.vertex = l->vertex,
+		.box = l->box,
 	};
 	v->frame = ald_frame_for(&v->prims, &l->box);
 }
@@ -56,7 +57,7 @@ static enum status refuse(const struct geometry *g, int result, const ald_error 
 
 	if (result == ALD_CANCELLED && interrupt_asked())
 		return STATUS_SIGINT;
-	return diag_fail(diag, result == ALD_NO_MEMORY ? STATUS_FAILED : STATUS_ACCEL, NULL,
+	return diag_fail(diag, result == ALD_NO_MEMORY ? STATUS_MEMORY : STATUS_ACCEL, NULL,
 			 "accelerator %s: its building %s%s%.255s; try another one (-a)", g->plugin->name,
 			 text, err->text[0] ? ": " : "", err->text);
 }
@@ -71,7 +72,6 @@ static enum status build_levels(struct geometry *g, const double *value, struct 
 		ald_error err = { "" };
 		int result;
 
-		show_level(v, g, &g->set.level[i]);
 		if (!v->prims.count)
 			continue;
 		result = g->plugin->build(&g->host.host, &v->prims, value ? value : none, &v->accel,
@@ -86,6 +86,7 @@ static enum status build_levels(struct geometry *g, const double *value, struct 
 			v->scratch = g->plugin->scratch_size(v->accel);
 	}
 	g->seconds = now() - start;
+	g->memory.most = atomic_load(&g->book->recent);
 	return STATUS_OK;
 }
 
@@ -118,6 +119,22 @@ static enum status hire_workers(struct geometry *g, bool count, struct diag *dia
 	return g->worker ? STATUS_OK : diag_no_memory(diag, "the render threads", g->threads * 8);
 }
 
+static enum status make_levels(struct geometry *g, const struct accel_choice *choice, bool count, struct diag *diag)
+{
+	enum status st;
+
+	for (uint32_t i = 0; i < g->set.level_count; i++)
+		show_level(&g->view[i], g, &g->set.level[i]);
+	mem_book_mark(g->book);
+	st = forecast_check(g, choice, diag);
+	if (!st)
+		st = build_levels(g, choice ? choice->value : NULL, diag);
+	if (!st)
+		st = hire_workers(g, count, diag);
+	g->memory.kept = atomic_load(&g->book->now);
+	return st;
+}
+
 enum status geometry_build(struct geometry **out, const struct scene *scene,
 			   const struct accel_choice *choice, struct pool *pool, struct mem_book *book,
 			   bool count, struct diag *diag)
@@ -142,9 +159,7 @@ enum status geometry_build(struct geometry **out, const struct scene *scene,
 			st = diag_no_memory(diag, "the geometry", sizeof(*g->view));
 	}
 	if (!st)
-		st = build_levels(g, choice ? choice->value : NULL, diag);
-	if (!st)
-		st = hire_workers(g, count, diag);
+		st = make_levels(g, choice, count, diag);
 	if (st)
 		geometry_free(g);
 	else
@@ -172,9 +187,7 @@ enum status geometry_judge(struct geometry **out, const struct geometry *of, uin
 	if (!g->view)
 		st = diag_no_memory(diag, "verification", sizeof(*g->view));
 	if (!st)
-		st = build_levels(g, NULL, diag);
-	if (!st)
-		st = hire_workers(g, false, diag);
+		st = make_levels(g, NULL, false, diag);
 	if (st)
 		geometry_free(g);
 	else
@@ -260,4 +273,9 @@ int geometry_stat(const struct geometry *g, uint32_t i, const char **name, doubl
 double geometry_build_seconds(const struct geometry *g)
 {
 	return g->seconds;
+}
+
+void geometry_get_memory(const struct geometry *g, struct geometry_memory *m)
+{
+	*m = g->memory;
 }

@@ -47,6 +47,7 @@ struct geometry {
 	double seconds;
 	uint64_t hash; /* of the scene's shapes; 0: not known yet */
 	struct verify *verify; /* NULL: no ray is asked twice */
+	struct geometry_memory memory;
 	bool borrowed; /* set is another geometry's, which outlives this one */
 };
 
@@ -81,6 +82,14 @@ void accel_occluded_n(const ald_accel_plugin *, const ald_accel *, ald_query *, 
 /* Member f of the plugin's struct, or NULL if it ends before it. */
 #define ACCEL_HAS(plugin, f)                                                                       \
 	((plugin)->size >= offsetof(ald_accel_plugin, f) + sizeof((plugin)->f) && (plugin)->f)
+
+/* What this plugin would need for all levels, with what is booked already; false: it can't tell. */
+struct need {
+	uint64_t most, kept; /* while building; and then */
+};
+bool forecast_need(const struct geometry *, const ald_accel_plugin *, const double *value, struct need *);
+/* Predict, and refuse what does not fit. Views are there, but not built. */
+enum status forecast_check(struct geometry *, const struct accel_choice *, struct diag *);
 
 /* Which leaf a level's primitive belongs to, and which face of its mesh it is. */
 uint32_t view_leaf(const struct prim_level *, uint32_t id, uint32_t *face);

@@ -6,6 +6,8 @@
 #ifndef ALIDADE_ACCEL_LOAD_H
 #define ALIDADE_ACCEL_LOAD_H
 
+#include <stdbool.h>
+
 #include "alidade/accel.h"
 #include "base/diag.h"
 
@@ -18,6 +20,10 @@ struct accel_choice {
 	char path[4096]; /* where it was found */
 	double value[ACCEL_PARAMS_MAX];
 	double rays; /* about how many will be traced; 0: not known */
+	/* What is predicted to need more than the book's limit, or, if guard is set and it has none, than the
+	 * machine has left, is not built. */
+	bool guard;
+	uint64_t later; /* bytes that are going to be wanted once it is built */
 };
 
 /* spec is NAME or NAME:key=value,key=value or ./path/file.so[:...]. NAME is searched in

@@ -108,7 +108,8 @@ struct geometry_vertices {
 typedef bool mesh_told(void *data, const struct mesh_vertices *);
 void geometry_get_vertices(const struct geometry *, struct geometry_vertices *, mesh_told *each, void *data);
 
-/* Compile the scene and build its accelerators. The scene must outlive the geometry. */
+/* Compile the scene and build its accelerators, if they are going to fit (load.h). The scene must outlive the
+ * geometry. */
 enum status geometry_build(struct geometry **out, const struct scene *, const struct accel_choice *,
 			   struct pool *, struct mem_book *, bool count, struct diag *);
 void geometry_free(struct geometry *); /* NULL is harmless */
@@ -121,6 +122,14 @@ void geometry_get_counters(const struct geometry *, uint64_t count[ALD_COUNT_MAX
 /* The plugin's own figures (nodes, depth ...); 0 at the end, as in accel.h. */
 int geometry_stat(const struct geometry *, uint32_t i, const char **name, double *value);
 double geometry_build_seconds(const struct geometry *);
+
+/* What building was said to take, and what it took, in bytes of the book, with all that was booked before. */
+struct geometry_memory {
+	bool predicted; /* else the accelerator can't tell, and the next two are 0 */
+	uint64_t predicted_most, predicted_kept; /* while building; and then */
+	uint64_t most, kept;
+};
+void geometry_get_memory(const struct geometry *, struct geometry_memory *);
 
 /* hits[i] is overwritten: prim is ALD_NONE for a miss. thread is the pool's. [render] */
 void trace_nearest(const struct geometry *, uint32_t thread, const ald_ray *, ald_hit *, uint32_t n,

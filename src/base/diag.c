@@ -43,7 +43,7 @@ enum status diag_no_memory(struct diag *d, const char *what, uint64_t bytes)
 {
 	diag_report(d, DIAG_ERROR, NULL, "out of memory: %s needs %.1f MiB more", what,
 		    (double)bytes / 1048576.0);
-	return STATUS_FAILED;
+	return STATUS_MEMORY;
 }
 
 int diag_format(char *out, size_t size, enum diag_level level, const struct diag_pos *pos,

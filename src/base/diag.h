@@ -21,13 +21,14 @@
 
 enum status {
 	STATUS_OK = 0,
-	STATUS_FAILED = 1, /* while rendering or writing; out of memory */
+	STATUS_FAILED = 1, /* while rendering or writing */
 	STATUS_USAGE = 2, /* the command line */
 	STATUS_SCENE = 3, /* the scene or a file it needs is wrong or unsupported */
 	STATUS_ACCEL = 4, /* accelerator not found, wrong ABI, refused */
 	STATUS_BUDGET = 5,
 	STATUS_NONFINITE = 6, /* picture written, but with NaN or Inf samples in it */
 	STATUS_VERIFY = 7, /* picture written, but an accelerator answered otherwise than brute force */
+	STATUS_MEMORY = 8, /* there is not as much as it takes, or would take */
 	STATUS_SIGINT = 130,
 	STATUS_SIGTERM = 143
 };

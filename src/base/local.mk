@@ -11,6 +11,7 @@ src_libalidade_la_SOURCES += \
 	src/base/pool.c src/base/pool.h \
 	src/base/process.c src/base/process.h \
 	src/base/rng.h \
+	src/base/room.c src/base/room.h \
 	src/base/single.h \
 	src/base/sobol.c src/base/sobol.h \
 	src/base/vec.c src/base/vec.h \

@@ -23,6 +23,11 @@ void mem_book_init(struct mem_book *book, uint64_t limit)
 	book->limit = limit;
 }
 
+void mem_book_mark(struct mem_book *book)
+{
+	atomic_store(&book->recent, atomic_load(&book->now));
+}
+
 struct mem_account *mem_account_get(struct mem_book *book, const char *name)
 {
 	static atomic_flag lock = ATOMIC_FLAG_INIT;
@@ -67,6 +72,7 @@ static bool book_add(struct mem_book *book, struct mem_account *account, size_t 
 		return false;
 	}
 	raise_peak(&book->peak, now);
+	raise_peak(&book->recent, now);
 	raise_peak(&account->peak, atomic_fetch_add(&account->now, bytes) + bytes);
 	return true;
 }

@@ -23,11 +23,12 @@ struct mem_account {
 struct mem_book {
 	struct mem_account account[MEM_PURPOSES];
 	_Atomic uint32_t count;
-	_Atomic uint64_t now, peak;
+	_Atomic uint64_t now, peak, recent; /* recent: the most since mem_book_mark() */
 	uint64_t limit; /* bytes in all, 0: none */
 };
 
 void mem_book_init(struct mem_book *, uint64_t limit);
+void mem_book_mark(struct mem_book *);
 /* The account of that name, made if new; the last one ("other") when the book is full. [any] */
 struct mem_account *mem_account_get(struct mem_book *, const char *name);
 

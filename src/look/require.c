@@ -8,6 +8,8 @@
 #include <inttypes.h>
 #include <stdbool.h>
 
+#include "look/memory.h"
+
 struct features {
 	uint64_t kinds[SHAPE_KINDS];
 	uint64_t triangles, vertices, smooth;
@@ -181,4 +183,5 @@ void require_text(const struct scene *s, const struct geometry *g, const char *a
 			s->radiosity.recursion_limit == 1 ? "" : "s");
 	print_structure(s, g, accel, all, out);
 	print_memory(book, out);
+	memory_building_text(g, out);
 }

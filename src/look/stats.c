@@ -12,6 +12,7 @@
 
 #include "accel/verify.h"
 #include "base/json_write.h"
+#include "look/memory.h"
 #include "look/reached.h"
 
 static const char *const ray_name[RENDER_RAY_KINDS] = {
@@ -122,8 +123,9 @@ static void text_structure(const struct stats *s, FILE *out)
 		fprintf(out, "  %-26s %15.10g\n", name, value);
 }
 
-static void text_memory(const struct mem_book *book, FILE *out)
+static void text_memory(const struct stats *s, FILE *out)
 {
+	const struct mem_book *book = s->book;
 	uint32_t n = book->count;
 
 	fprintf(out, "%-28s %15s %15s\n", "memory, MiB", "now", "most");
@@ -132,6 +134,9 @@ static void text_memory(const struct mem_book *book, FILE *out)
 			(double)book->account[i].now / 1048576, (double)book->account[i].peak / 1048576);
 	fprintf(out, "  %-26s %15.2f %15.2f\n", "all", (double)book->now / 1048576,
 		(double)book->peak / 1048576);
+	if (s->process_most)
+		fprintf(out, "  %-26s %15s %15.2f\n", "process", "", (double)s->process_most / 1048576);
+	memory_building_text(s->geometry, out);
 }
 
 static void text_time(const struct stats *s, FILE *out)
@@ -160,7 +165,7 @@ void stats_text(const struct stats *s, FILE *out)
 	text_counters(s, out);
 	text_verified(s, out);
 	text_structure(s, out);
-	text_memory(s->book, out);
+	text_memory(s, out);
 	text_time(s, out);
 }
 
@@ -270,8 +275,9 @@ static void json_structure(struct json_writer *j, const struct stats *s)
 	jw_end(j);
 }
 
-static void json_memory(struct json_writer *j, const struct mem_book *book)
+static void json_memory(struct json_writer *j, const struct stats *s)
 {
+	const struct mem_book *book = s->book;
 	uint32_t n = book->count;
 
 	jw_object(j, "memory");
@@ -286,6 +292,11 @@ static void json_memory(struct json_writer *j, const struct mem_book *book)
 		jw_end(j);
 	}
 	jw_end(j);
+	if (s->process_most)
+		jw_uint(j, "process_most", s->process_most);
+	else
+		jw_null(j, "process_most");
+	memory_building_json(j, s->geometry);
 	jw_end(j);
 }
 
@@ -337,7 +348,7 @@ bool stats_json(const struct stats *s, FILE *out)
 	json_counters(&j, s);
 	json_verified(&j, s);
 	json_structure(&j, s);
-	json_memory(&j, s->book);
+	json_memory(&j, s);
 	jw_object(&j, "seconds");
 	jw_double(&j, "read", s->read_seconds);
 	jw_double(&j, "build", geometry_build_seconds(s->geometry));

@@ -21,6 +21,7 @@ struct stats {
 	const struct geometry *geometry;
 	const struct render_counts *render;
 	const struct mem_book *book;
+	uint64_t process_most; /* bytes of the process that were in memory at a time; 0: not known */
 	double read_seconds, write_seconds;
 	bool complete; /* false: interrupted */
 	bool animated;

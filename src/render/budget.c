@@ -123,6 +123,11 @@ static bool in_picture(const struct render_options *o, uint32_t x, uint32_t y)
 	return x - o->crop_x < o->crop_width && y - o->crop_y < o->crop_height;
 }
 
+size_t budget_bytes_a_pixel(void)
+{
+	return sizeof(struct streams);
+}
+
 struct budget *budget_new(struct worker *worker, struct pool *pool, struct mem_book *book)
 {
 	struct budget *b = mem_zalloc(book, "budget", sizeof(*b));

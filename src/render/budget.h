@@ -12,6 +12,7 @@
 
 struct budget;
 
+size_t budget_bytes_a_pixel(void);
 /* worker: one for each thread of the pool. NULL: out of memory. */
 struct budget *budget_new(struct worker *worker, struct pool *, struct mem_book *);
 /* False: stopped by options->stop, or out of memory; what there is can be had all the same. */

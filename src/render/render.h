@@ -97,6 +97,8 @@ struct render_counts {
 	double error; /* mean over all pixels of the estimated standard error; below 0: not asked for */
 };
 
+/* About what rendering is going to take, beside the geometry. */
+uint64_t render_memory(const struct render_options *, uint32_t threads);
 /* Render into out, an image of the crop's size made here (R, G, B, A, linear, premultiplied; A is 1 but
  * where the background is seen through). Pixels not finished when stopped are all 0, and the status is
  * then STATUS_SIGINT; STATUS_NONFINITE if the picture is complete but nonfinite is not 0; STATUS_BUDGET if it

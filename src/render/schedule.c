@@ -282,11 +282,26 @@ static void fill_defaults(struct render_options *o)
 		o->aa_gamma = 2.5;
 }
 
+static uint32_t channels_of(const struct render_options *o)
+{
+	return !o->error ? 4 : o->budget ? 8 : 7;
+}
+
+#define THREAD_BYTES ((uint64_t)1 << 19) /* a tile, and trees of rays that are not deep */
+
+uint64_t render_memory(const struct render_options *o, uint32_t threads)
+{
+	uint64_t pixels = o->crop_width ? (uint64_t)o->crop_width * o->crop_height : (uint64_t)o->width * o->height;
+
+	return pixels * (channels_of(o) * sizeof(float) + (o->budget ? budget_bytes_a_pixel() : 0)) +
+	       threads * THREAD_BYTES;
+}
+
 static enum status make_image(struct job *j, struct mem_book *book, struct diag *d)
 {
 	static const char *const name[] = { "R", "G", "B", "A", "Error.R", "Error.G", "Error.B", "Samples.Y" };
 	const struct render_options *o = &j->whole;
-	uint32_t channels = !o->error ? 4 : o->budget ? 8 : 7;
+	uint32_t channels = channels_of(o);
 	struct image *out = j->image;
 	enum status st = image_init(out, book, o->crop_width, o->crop_height, channels, d);
 

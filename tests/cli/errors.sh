@@ -78,7 +78,35 @@ is "the older picture is still there" "$(cat x.ppm)" old
 
 # Reports.
 ok "--stats into nowhere" fails 1 "$ALIDADE" -q -s 8x6 -o y.ppm --stats=nowhere/x.json scene.pov
-ok "not enough memory" ends 1 "memory" --memory=1K -o z.ppm scene.pov
+ok "not enough memory" ends 8 "memory" --memory=1K -o z.ppm scene.pov
+ok "a picture that won't fit" ends 8 "the picture's 152[67] MiB.*--memory allows 64 MiB.*smaller picture would" \
+	--memory=64M -s 10000x10000 -o z.ppm scene.pov
+# 80,000 triangles are refused where less is allowed than they take, before they are built.
+{
+	echo 'camera { location <5,5,5> look_at 0 } light_source { 9 rgb 1 } mesh2 { vertex_vectors { 40401'
+	awk 'BEGIN { for (i = 0; i <= 200; i++) for (j = 0; j <= 200; j++) printf ", <%d,%g,%d>\n", i, (i * j) % 7 / 9, j }'
+	echo '} face_indices { 80000'
+	awk 'BEGIN { for (i = 0; i < 200; i++) for (j = 0; j < 200; j++) { a = 201 * i + j
+		printf ", <%d,%d,%d>, <%d,%d,%d>\n", a, a + 201, a + 202, a, a + 202, a + 1 } }'
+	echo '} pigment { rgb 1 } }'
+} >field.pov
+ok "a structure that won't fit" ends 8 \
+	"bvh8: with 80000 triangles it would take about .* MiB, the scene's .*--memory allows 8.00 MiB; " -t 1 --memory=8M field.pov
+ok "what would fit is told" ends 8 "what would fit: -a bvh8:leaf=28 (.* MiB)" -t 1 -a bvh8:leaf=1 --memory=20M field.pov
+ok "and does" "$ALIDADE" -s 16x12 -t 1 -a bvh8:leaf=28 --memory=20M -o z.ppm field.pov
+rm -f z.ppm
+ok "an accelerator that fits is told" ends 8 "what would fit: .*-a none (.* MiB)" -t 1 --memory=11500K field.pov
+# shellcheck disable=SC3045 # most have it
+if (ulimit -d 100000) 2>/dev/null; then
+	limited()
+	{
+		# shellcheck disable=SC3045
+		(ulimit -d 100000; ends 8 "are left of what ulimit -d allows; .*; --memory=1G tries all the same" "$@")
+	}
+	ok "what the system does not allow" limited -s 4000x3000 -o z.ppm scene.pov
+else
+	skip "what the system does not allow" "no ulimit -d here"
+fi
 to_full()
 {
 	"$ALIDADE" --help >/dev/full

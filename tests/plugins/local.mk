@@ -1,6 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The Alidade authors
 # SPDX-License-Identifier: Apache-2.0
 if HAVE_CMOCKA
+check_PROGRAMS += tests/unit/test_memory
+tests_unit_test_memory_SOURCES = tests/unit/test_memory.c tests/unit/rays.c tests/unit/rays.h
+tests_unit_test_memory_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_memory_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_memory
 check_PROGRAMS += tests/unit/test_accels
 tests_unit_test_accels_SOURCES = tests/unit/test_accels.c tests/unit/accel_fixture.h tests/unit/rays.c tests/unit/rays.h
 tests_unit_test_accels_CPPFLAGS = $(UNIT_CPPFLAGS)

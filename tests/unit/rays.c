@@ -278,10 +278,15 @@ void mesh_finish(struct mesh *m, bool as_float, bool with_mask, bool exact)
 		prim_bounds(p, i, &box);
 		ald_box_join(&all, &box);
 	}
+	p->box = all;
 	m->frame = ald_frame_for(p, &all);
 	size = fabs(m->frame.centre.x) + fabs(m->frame.centre.y) + fabs(m->frame.centre.z);
 	p->pad = 16 * ALD_U * (size + m->frame.radius);
 	m->frame.radius += 6 * p->pad;
+	for (unsigned k = 0; k < 3 && p->count; k++) {
+		(&p->box.lo.x)[k] -= p->pad;
+		(&p->box.hi.x)[k] += p->pad;
+	}
 }
 
 void mesh_settle(const struct mesh *m, const ald_ray *r, ald_hit *hit)

@@ -49,6 +49,13 @@ double geometry_build_seconds(const struct geometry *g)
 	return 0.25;
 }
 
+void geometry_get_memory(const struct geometry *g, struct geometry_memory *m)
+{
+	(void)g;
+	*m = (struct geometry_memory){ .predicted = true, .predicted_most = 3 << 20, .predicted_kept = 2 << 20,
+				       .most = 5 << 19, .kept = 3 << 19 };
+}
+
 void verify_get(const struct geometry *g, struct verify_counts *c)
 {
 	(void)g;
@@ -71,7 +78,8 @@ static char *report(bool json)
 	struct mem_book *book = calloc(1, sizeof(*book));
 	struct stats s = { .version = "1.2.3", .scene = "a \"b\".pov", .output = "o.png",
 			   .options = "20x15 aa none", .accel = "octree:leaf=8", .scene_hash = 0xabc,
-			   .threads = 2, .width = 20, .height = 15, .render = &counts, .book = book,
+			   .process_most = 8 << 20, .threads = 2, .width = 20, .height = 15,
+			   .render = &counts, .book = book,
 			   .read_seconds = 0.125, .write_seconds = 0.5, .complete = true };
 	char *text = NULL;
 	size_t size;
@@ -112,6 +120,9 @@ static void test_text(void **state)
 	has(text, "  degenerate, left out                     4\n");
 	has(text, "  nodes                                  585\n  depth                                    4\n");
 	has(text, "  scene                                 1.00            1.00\n");
+	has(text, "  process                                               8.00\n");
+	has(text, "  most, with the scene                  3.00            2.50\n");
+	has(text, "  kept, with the scene                  2.00            1.50\n");
 	has(text, "  read                                 0.125\n  build                                0.250\n");
 	has(text, "  rays per second                        800\n");
 	free(text);
@@ -127,6 +138,7 @@ static void test_json(void **state)
 	has(text, "\"all\": {\n\t\t\t\"cast\": 400,\n\t\t\t\"hit\": 240,\n\t\t\t\"missed\": 160\n");
 	has(text, "\"volume_misses\": 200,\n\t\t\"volume_hits_useful_percent\": 25\n");
 	has(text, "\"structure\": {\n\t\t\"nodes\": 585,\n\t\t\"depth\": 4\n");
+	has(text, "\"process_most\": 8388608,\n\t\t\"building\": {\n\t\t\t\"predicted_most\": 3145728,\n");
 	has(text, "\"purpose\": \"scene\",\n\t\t\t\t\"now\": 1048576,");
 	has(text, "\"rays_per_second\": 800\n}\n");
 	free(text);

@@ -40,7 +40,7 @@ static void compare_times(const struct trade *t, struct trade_verdict *v)
 static const struct trade_setting *pacer_of(const struct trade *t, const struct trade_setting *pick)
 {
 	const struct trade_setting *best = NULL;
-	double own = pick->range[t->clock].median, least = INFINITY;
+	double own = pick->range[t->clock].median, least = HUGE_VAL;
 
 	if (pick != t->setting)
 		return t->setting;

@@ -56,6 +56,17 @@ static vec sliver_normal(const vec c[3])
 							  vec_make(0, 0, 1));
 }
 
+/* Of a normal number: about 1 / x, with no rounding in products. */
+static double near_inverse(double x)
+{
+	uint64_t bits;
+
+	memcpy(&bits, &x, sizeof(bits));
+	bits = ((uint64_t)2046 << 52) - (bits & (uint64_t)0x7ff << 52);
+	memcpy(&x, &bits, sizeof(x));
+	return x;
+}
+
 /* By its corners' weights, which keeps the point in the plane whatever the error of t. */
 static void place_triangle(const struct prim_level *l, uint32_t id, double u, double v, struct place *out)
 {
@@ -70,7 +81,7 @@ static void place_triangle(const struct prim_level *l, uint32_t id, double u, do
 		n = sliver_normal(c);
 		big = 1;
 	}
-	out->n = vec_unit(vec_scale(n, 1 / big)); /* scaled before it is squared: tiny triangles */
+	out->n = vec_unit(vec_scale(n, near_inverse(big))); /* scaled before it is squared: tiny triangles */
 	out->error = 64 * ALD_U * ald_max(ald_max(size_of(c[0]), size_of(c[1])), size_of(c[2]));
 }
 

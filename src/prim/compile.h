@@ -166,22 +166,28 @@ bool prim_join_mesh(ald_box *, const struct mesh *, const struct mat *);
 enum status prim_bake_mesh(struct prim_set *, struct prim_level *, const struct mesh *, uint32_t leaf,
 			   const struct mat *, struct diag *);
 void prim_narrow_vertices(struct prim_level *); /* to float, if that loses nothing */
+
+static inline vec prim_vertex(const struct prim_level *l, uint32_t index)
+{
+	size_t i = 3 * (size_t)index;
+	const double *d = (const double *)l->vertex + i;
+	const float *f = (const float *)l->vertex + i;
+
+	if (l->vertex_double)
+		return vec_make(d[0], d[1], d[2]);
+	return vec_make((double)f[0], (double)f[1], (double)f[2]);
+}
+
+/* The corners of a triangle. No loop: one would leave them in memory, and who needs them next would wait for that. */
 static inline void prim_triangle(const struct prim_level *l, uint32_t id, vec v[3])
 {
-	for (unsigned k = 0; k < 3; k++) {
-		size_t i = 3 * (size_t)l->index[3 * (size_t)id + k];
+	const uint32_t *at = l->index + 3 * (size_t)id;
 
-		if (l->vertex_double) {
-			const double *p = (const double *)l->vertex + i;
-
-			v[k] = vec_make(p[0], p[1], p[2]);
-		} else {
-			const float *p = (const float *)l->vertex + i;
-
-			v[k] = vec_make((double)p[0], (double)p[1], (double)p[2]);
-		}
-	}
+	v[0] = prim_vertex(l, at[0]);
+	v[1] = prim_vertex(l, at[1]);
+	v[2] = prim_vertex(l, at[2]);
 }
+
 unsigned prim_texture_mask(const struct scene *, uint32_t texture);
 unsigned prim_leaf_mask(const struct scene *, const struct prim_leaf *);
 

@@ -6,9 +6,9 @@
  *	shapes [-n RAYS] [-s SEED]
  *
  * RAYS a cell (200), of spheres; a tenth of them of other shapes. A ray is answered wrongly if it should hit
- * and misses, or the reverse, or hits elsewhere by more than 1e-3 of the shape's size. What a point is off is told along
- * the ray, where it grows without bound the more the surface is grazed, and across the surface, which is what rounding
- * moves and has a bound.
+ * and misses, or the reverse, or hits elsewhere by more than 1e-3 of the shape's size. What a point is off is told
+ * along the ray, where it grows without bound the more the surface is grazed, and across the surface, which is what
+ * rounding moves and has a bound.
  */
 #include <float.h>
 #include <stdio.h>

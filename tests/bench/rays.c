@@ -127,7 +127,7 @@ static int run(struct bench *b, const char *name, char **names, int count, struc
 	width = (uint32_t)(b->width * sqrt(b->world.share)) & ~127u;
 	b->engines = 0;
 	test_host_init(&b->host, b->threads, 0);
-	b->floats = peer_mesh_new(&b->world.mesh.prims, b->world.mesh.vertices);
+	b->floats = NULL;
 	fine = open_all(b, names, count);
 	if (fine) {
 		shots_camera(&b->shots, &b->world, width < 128 ? 128 : width);

@@ -9,7 +9,7 @@ If a ray costs a + b log2 n, all points of a curve lie on a line. b is fitted by
 fits into a cache of the processor and to the others apart, since a miss costs more than a step: a bend between the
 two is the memory's, not the algorithm's.
 
-    scale.py [--all] [--engine NAME ..] [--rounds N] [--builds N] [--width W] [--threads N] [--json FILE]
+    scale.py [--all] [--least N] [--most N] [--engine NAME ..] [--rounds N] [--builds N] [--width W] [--threads N] [--json FILE]
 """
 import argparse
 import json
@@ -22,10 +22,10 @@ import tempfile
 import measure_runs as m
 
 SIZES = [22, 71, 224, 707, 2236]        # squares a side: two triangles each; the next are for --all
-MORE = [4472, 7071]
+MORE = [5000, 7071]
 CACHE = 8 << 20     # bytes, about what a core can keep of a cache that it shares
 KINDS = ['camera', 'shadow', 'bounce', 'shuffled']
-BYTES = 170      # a triangle, of mesh, tree and the copy for peers, while the tree is built: to refuse in time
+BYTES = 150      # a triangle, of mesh and tree, while that is built: to refuse in time
 
 
 def memory():
@@ -40,7 +40,7 @@ def measure(side, options, folder):
         print('%d triangles would take about %.1f GB, and %.1f are free: left out' % (
             triangles, 1e-9 * triangles * BYTES, 1e-9 * memory()), flush=True)
         return None
-    big = triangles > 5e6
+    big = triangles > 2e7
     _, peak, _ = m.peaked([os.path.join(os.environ['ALIDADE_BUILD'], 'tests', 'bench', 'rays'), '-m', 'terrain%d' % side,
                            '-n', str(options.rounds), '-b', str(1 if big else options.builds), '-s', str(options.width),
                            '-t', str(options.threads), '-j', path, *options.engine])
@@ -94,6 +94,7 @@ def tell(engine, rows, threads):
 def main():
     options = argparse.ArgumentParser(description='how cost grows with size')
     options.add_argument('--all', action='store_true', help='up to 100 million triangles')
+    options.add_argument('--least', type=int, default=0, help='no fewer triangles than that')
     options.add_argument('--most', type=int, default=10**9, help='no more triangles than that')
     options.add_argument('--engine', nargs='+', default=['bvh8'], help='accelerators, as rays.c takes them (bvh8)')
     options.add_argument('--rounds', type=int, default=7, help='rounds of rays (7)')
@@ -105,7 +106,8 @@ def main():
     found = []
     with tempfile.TemporaryDirectory(prefix='alidade-bench.') as folder:
         for side in SIZES + (MORE if options.all else []):
-            rows = measure(side, options, folder) if 2 * side * side <= options.most else None
+            wanted = options.least <= 2 * side * side <= options.most
+            rows = measure(side, options, folder) if wanted else None
             for r in rows or []:
                 print('%s, %d triangles: build %.1f ms, bounce %.0f ns' % (r['engine'], r['triangles'], r['build'],
                                                                          r['bounce']), flush=True)

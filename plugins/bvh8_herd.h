@@ -18,22 +18,21 @@
 #if ISA_LEVEL >= 2
 #define HERD_PENDING 512u
 #define HERD_MANY 6u /* rays that are worth a hull */
-#define HERD_ROW 3u /* of sixteen rays, that go together against a triangle */
 #define HERD_AHEAD 3u
 #define HERD_LEAST 16u
-#define HERD_TOGETHER 5u /* rays that open a node together, on average, or herds do not pay */
+#define HERD_TOGETHER(a) ((a)->far ? 4u : 2u) /* rays that open a node together, on average, or herds do not pay */
 #define HERD_FETCH (24 * sizeof(ald_ray)) /* how far ahead rays are fetched */
 #define TESTED UINT32_MAX
 
 struct herd {
 	struct lot lot;
-	float back[LOT], zfar[LOT], sure_lo[LOT], sure_hi[LOT], before[LOT], oz[LOT], zerror[LOT];
+	float aim[LOT][16]; /* of each ray, once one has come to a leaf: see herd_aims() */
 	f8 edge_near[3], edge_far[3], slow[3], fast[3]; /* the hull: origins, inverse directions */
 	uint64_t live, found, asked; /* lanes; asked: the doubles were, before the end */
 	float reach; /* tfar of the farthest */
 	float side, grow, extent; /* extent: see beam's reach */
 	uint32_t near[3], far[3]; /* which planes of a node */
-	uint32_t axis[3], size;
+	uint32_t axis[3], size, aimed;
 	uint32_t steps, rays; /* nodes that were opened, by how many rays */
 	uint32_t pending;
 	float low[HERD_PENDING + 16], high[HERD_PENDING + 16]; /* see beam; high in exact order only */
@@ -71,40 +70,67 @@ V void herd_hull(struct herd *h, float pad)
 	}
 }
 
+/* What triangles want to know of a ray, in fours. See struct aim for all of these. */
+enum { AIM_OX, AIM_OY, AIM_OZ, AIM_ZFAR, AIM_SX, AIM_SY, AIM_ZERROR, AIM_BEFORE, AIM_SURE_LO, AIM_SURE_HI, AIM_PAD,
+       AIM_BACK, AIM_SKIP, AIM_DEPTH };
+
+static __attribute__((noinline)) void herd_aims(const ald_accel *a, struct herd *h, const struct batch *s)
+{
+	struct lot *l = &h->lot;
+	const f8 tiny = f8_all(DEPTH_LEAST), side = f8_all(h->side);
+	float skip[LOT] __attribute__((aligned(64)));
+
+	h->aimed = 1;
+	for (unsigned i = 0; i < h->size; i++)
+		memcpy(&skip[i], &s->ray[l->index[i]].skip, sizeof(*skip));
+	for (unsigned i = 0; i < h->size; i += 8) {
+		f8 depth = f8_load(l->depth + i), pad = f8_load(l->pad + i), near, far, zerror, zfar, t;
+
+		zerror = a->fast ? f8_all(0) : f8_mul_add(pad, f8_all(0x1p15f), tiny);
+		zfar = f8_mul_add(f8_load(l->tfar + i), depth, f8_add(zerror, f8_all(a->fast ? 0 : DEPTH_ERROR)));
+		f8_rows(h->aim + i, AIM_OX, f8_load(l->o[h->axis[0]] + i), f8_load(l->o[h->axis[1]] + i),
+			f8_mul(f8_load(l->o[h->axis[2]] + i), side), zfar);
+		near = f8_mul(f8_load(l->first + i), depth);
+		t = f8_mul(f8_size(near), tiny);
+		f8_rows(h->aim + i, AIM_SX, f8_load(l->shear[0] + i), f8_load(l->shear[1] + i), zerror,
+			f8_sub(near, t));
+		far = f8_mul(f8_load(l->last + i), depth);
+		f8_rows(h->aim + i, AIM_SURE_LO, f8_add(near, t), f8_sub(far, f8_mul(f8_size(far), tiny)), pad,
+			f8_mul(f8_load(l->inverse[h->axis[2]] + i), side));
+		f8_rows(h->aim + i, AIM_SKIP, f8_load(skip + i), depth, depth, depth);
+	}
+}
+
 V void herd_begin(const ald_accel *a, struct herd *h)
 {
 	const struct lot *l = &h->lot;
-	uint32_t kz = h->axis[2];
-	f16 pads = f16_all(0), reach = f16_all(-INFINITY), tiny = f16_all(DEPTH_LEAST);
+	f16 pads = f16_all(0), reach = f16_all(-INFINITY);
 	float pad, far;
 
 	h->found = h->asked = 0;
 	h->pending = 0;
 	for (unsigned i = 0; i < h->size; i += 16) {
 		uint32_t in = (uint32_t)(h->live >> i) & 0xffff;
-		f16 depth = f16_load(l->depth + i), p = f16_load(l->pad + i), t, near, far_z, tfar, zerror;
 
-		pads = f16_max(f16_pick(in, p, pads), pads);
-		zerror = a->fast ? f16_all(0) : f16_mul_add(p, f16_all(0x1p15f), tiny);
-		f16_store(h->zerror + i, zerror);
-		f16_store(h->back + i, f16_mul(f16_load(l->inverse[kz] + i), f16_all(h->side)));
-		f16_store(h->oz + i, f16_mul(f16_load(l->o[kz] + i), f16_all(h->side)));
-		near = f16_mul(f16_load(l->first + i), depth);
-		t = f16_mul(f16_size(near), tiny);
-		f16_store(h->sure_lo + i, f16_add(near, t));
-		f16_store(h->before + i, f16_sub(near, t));
-		far_z = f16_mul(f16_load(l->last + i), depth);
-		f16_store(h->sure_hi + i, f16_sub_mul(far_z, f16_size(far_z), tiny));
-		tfar = f16_load(l->tfar + i);
-		f16_store(h->zfar + i, f16_mul_add(tfar, depth, f16_add(zerror, f16_all(a->fast ? 0 : DEPTH_ERROR))));
-		reach = f16_max(f16_pick(in, tfar, reach), reach);
+		pads = f16_max(f16_pick(in, f16_load(l->pad + i), pads), pads);
+		reach = f16_max(f16_pick(in, f16_load(l->tfar + i), reach), reach);
 	}
+	h->aimed = 0;
 	h->reach = f16_most(reach);
 	pad = f16_most(pads);
 	far = 1 + 4 * pad / EDGE_ERROR;
 	h->grow = a->fast ? 0 : far * far;
 	h->extent = 1 / (6 * EDGE_ERROR) / (far * far);
 	herd_hull(h, pad);
+}
+
+/* Nothing beyond t counts for a lane. */
+V void herd_cut(const ald_accel *a, struct herd *h, unsigned lane, float t)
+{
+	float *aim = h->aim[lane];
+
+	h->lot.tfar[lane] = t;
+	aim[AIM_ZFAR] = t * aim[AIM_DEPTH] + (a->fast ? 0 : aim[AIM_ZERROR] + DEPTH_ERROR);
 }
 
 /* The lanes of a row of sixteen, from lane i on, that enter a node's child. */
@@ -273,198 +299,194 @@ V void herd_certain(const struct batch *s, struct herd *h)
 		h->low[i] = sure >> h->lane[i] & 1 ? INFINITY : h->low[i];
 }
 
-/* ---- triangles ---- */
+/* ---- triangles: the four of a block and GROUP rays in one step ---- */
 
-struct corner {
-	f16 x, y, z;
+struct seats { /* a block, as the herd's axes have it, once for each ray of a group */
+	gv x[3], y[3], z[3], slack;
 };
 
-V struct corner herd_corner(const struct herd *h, const float (*v)[SEATS], unsigned k, unsigned i)
+V void seats_set(const struct herd *h, const struct block *n, struct seats *e)
 {
-	const struct lot *l = &h->lot;
-	struct corner c;
-
-	c.z = f16_sub(f16_all(v[h->axis[2]][k] * h->side), f16_load(h->oz + i));
-	c.x = f16_sub(f16_all(v[h->axis[0]][k]), f16_load(l->o[h->axis[0]] + i));
-	c.y = f16_sub(f16_all(v[h->axis[1]][k]), f16_load(l->o[h->axis[1]] + i));
-	c.x = f16_sub_mul(c.x, f16_load(l->shear[0] + i), c.z);
-	c.y = f16_sub_mul(c.y, f16_load(l->shear[1] + i), c.z);
-	return c;
+	for (unsigned i = 0; i < 3; i++) {
+		e->x[i] = g_seats(n->v[i][h->axis[0]]);
+		e->y[i] = g_seats(n->v[i][h->axis[1]]);
+		e->z[i] = g_mul(g_seats(n->v[i][h->axis[2]]), g_all(h->side));
+	}
+	e->slack = g_mul(g_seats(n->slack), g_all(h->grow));
 }
 
-V f16 larger(struct corner c)
+struct encounter { /* as struct meeting */
+	gv a, b, c, ax, ay, az, bx, by, bz, cx, cy, cz, zmin, zmax, least, most;
+	gv aim[3]; /* fours of each ray */
+	uint32_t maybe, sure;
+};
+
+/* As block_meet() begins. */
+V void herd_weigh(const struct herd *h, const struct seats *e, const uint32_t *lane, struct encounter *m)
 {
-	return f16_max(f16_size(c.x), f16_size(c.y));
+	gv o = g_rows(h->aim, AIM_OX, lane), s = g_rows(h->aim, AIM_SX, lane);
+	gv ox = G_SPREAD(o, 0), oy = G_SPREAD(o, 1), oz = G_SPREAD(o, 2), sx = G_SPREAD(s, 0), sy = G_SPREAD(s, 1);
+
+	m->aim[0] = o;
+	m->aim[1] = s;
+	m->az = g_sub(e->z[0], oz);
+	m->bz = g_sub(e->z[1], oz);
+	m->cz = g_sub(e->z[2], oz);
+	m->ax = g_sub_mul(g_sub(e->x[0], ox), sx, m->az);
+	m->ay = g_sub_mul(g_sub(e->y[0], oy), sy, m->az);
+	m->bx = g_sub_mul(g_sub(e->x[1], ox), sx, m->bz);
+	m->by = g_sub_mul(g_sub(e->y[1], oy), sy, m->bz);
+	m->cx = g_sub_mul(g_sub(e->x[2], ox), sx, m->cz);
+	m->cy = g_sub_mul(g_sub(e->y[2], oy), sy, m->cz);
+	m->a = g_mul_sub(m->cx, m->by, g_mul(m->cy, m->bx));
+	m->b = g_mul_sub(m->ax, m->cy, g_mul(m->ay, m->cx));
+	m->c = g_mul_sub(m->bx, m->ay, g_mul(m->by, m->ax));
+	m->least = g_min(m->a, g_min(m->b, m->c));
+	m->most = g_max(m->a, g_max(m->b, m->c));
+	m->zmin = g_min(m->az, g_min(m->bz, m->cz));
+	m->maybe = g_le(g_negate(e->slack), m->least) | g_le(m->most, e->slack);
+	m->maybe &= g_le(m->zmin, G_SPREAD(o, 3));
+}
+
+/* As block_behind(). */
+V uint32_t herd_behind(const struct herd *h, const struct block *n, const struct seats *v, const struct encounter *m,
+		       gv sum)
+{
+	gv ex = g_sub(v->x[1], v->x[0]), ey = g_sub(v->y[1], v->y[0]), ez = g_sub(v->z[1], v->z[0]);
+	gv gx = g_sub(v->x[2], v->x[0]), gy = g_sub(v->y[2], v->y[0]), gz = g_sub(v->z[2], v->z[0]);
+	gv nx = g_mul_sub(ey, gz, g_mul(ez, gy)), ny = g_mul_sub(ez, gx, g_mul(ex, gz));
+	gv nz = g_mul_sub(ex, gy, g_mul(ey, gx)), s = g_mul(g_seats(n->slack), g_all(1 / (11 * EDGE_ERROR)));
+	gv qx = g_sub(v->x[0], G_SPREAD(m->aim[0], 0)), qy = g_sub(v->y[0], G_SPREAD(m->aim[0], 1)), slack, up, e, most;
+
+	slack = g_mul(g_seats(n->slack), g_all(3 * h->grow));
+	most = g_max(g_max(g_size(qx), g_size(qy)), g_size(m->az));
+	up = g_mul_add(nx, qx, g_mul_add(ny, qy, g_mul(nz, m->az)));
+	e = g_mul_add(s, g_all(0x1p-18f), g_all(0x1p-20f));
+	e = g_mul_add(most, e, g_mul(s, g_mul_add(G_SPREAD(m->aim[2], 2), g_all(8), g_all(0x1p-21f))));
+	e = g_mul(e, s);
+	return (g_le(e, up) & g_le(slack, sum)) | (g_le(e, g_negate(up)) & g_le(sum, g_negate(slack)));
+}
+
+/* As block_bounds(); low, and high, as t. Where the line is surely hit all weights have one sign, and D, their sum,
+ * is at least 3 slack: so 6 slack S / D bounds 3 slack S / (D - 3 slack), or is more than S. */
+V void herd_bounds(const struct herd *h, const struct block *n, const struct seats *e, struct encounter *m, gv *low,
+		   gv *high)
+{
+	gv sum = g_add(g_add(m->a, m->b), m->c), one = g_div(g_all(1), sum), wide, error, off, z, back;
+	gv zmin = m->zmin, zmax = g_max(m->az, g_max(m->bz, m->cz)), zerror = G_SPREAD(m->aim[1], 2);
+	gv sure_lo = G_SPREAD(m->aim[2], 0), sure_hi = G_SPREAD(m->aim[2], 1);
+
+	z = g_mul(g_mul_add(m->a, m->az, g_mul_add(m->b, m->bz, g_mul(m->c, m->cz))), one);
+	error = g_mul_add(g_max(g_size(zmin), g_size(zmax)), g_all(DEPTH_RELATIVE), zerror);
+	off = g_mul(g_mul(e->slack, g_all(6)), g_sub(zmax, zmin));
+	off = g_mul_add(off, g_size(one), error);
+	wide = g_max(g_max(g_max(g_size(m->ax), g_size(m->ay)), g_max(g_size(m->bx), g_size(m->by))),
+		     g_max(g_size(m->cx), g_size(m->cy)));
+	m->sure = g_le(e->slack, m->least) | g_le(m->most, g_negate(e->slack));
+	m->sure &= g_le(wide, g_mul(e->slack, g_all(h->extent)));
+	zmin = g_sub(zmin, error);
+	zmax = g_add(zmax, error);
+	*low = g_max(g_pick(m->sure, g_sub(z, off), zmin), zmin);
+	*high = g_min(g_pick(m->sure, g_add(z, off), zmax), zmax);
+	m->maybe &= g_le(G_SPREAD(m->aim[1], 3), *high);
+	m->sure &= g_le(*high, sure_hi) & g_le(sure_lo, *low) & m->maybe;
+	if (m->maybe & ~m->sure & g_le(*low, sure_lo))
+		m->maybe &= ~herd_behind(h, n, e, m, sum) | m->sure;
+	back = G_SPREAD(m->aim[2], 3);
+	*low = g_mul(*low, back);
+	*low = g_sub_mul(*low, g_size(*low), g_all(0x1p-20f));
+	*high = g_pick(m->sure, g_mul(*high, g_mul(back, g_all(1 + 0x1p-20f))), g_all(INFINITY));
 }
 
 /* As beam_meet_fast(). */
-V void herd_meet_fast(const ald_accel *a, const struct batch *s, struct herd *h, const struct block *n, unsigned k,
-		      unsigned row, uint32_t lanes, f16 u, f16 v, f16 sum, int any)
+V void herd_meet_fast(const ald_accel *a, const struct batch *s, struct herd *h, const struct block *n,
+		      const uint32_t *lane, const struct encounter *m, int any)
 {
-	float w[3][16] __attribute__((aligned(64)));
+	float w[3][4 * GROUP] __attribute__((aligned(64)));
 	struct lot *l = &h->lot;
 
-	f16_store(w[0], u);
-	f16_store(w[1], v);
-	f16_store(w[2], sum);
-	for (; lanes; lanes &= lanes - 1) {
-		unsigned i = (unsigned)__builtin_ctz(lanes), lane = row + i;
-		const ald_ray *r = &s->ray[l->index[lane]];
-		ald_hit own = { .t = r->tmax, .prim = ALD_NONE }, *hit = any ? &own : &s->hit[l->index[lane]];
+	g_store(w[0], m->b);
+	g_store(w[1], m->c);
+	g_store(w[2], g_add(g_add(m->a, m->b), m->c));
+	for (uint32_t bits = m->maybe; bits; bits &= bits - 1) {
+		unsigned i = (unsigned)__builtin_ctz(bits), at = lane[i / 4];
+		const ald_ray *r = &s->ray[l->index[at]];
+		ald_hit own = { .t = r->tmax, .prim = ALD_NONE }, *hit = any ? &own : &s->hit[l->index[at]];
 		float t;
 
-		if (!fast_hit(a, r, n, k, w[0][i], w[1][i], w[2][i], hit))
+		if (!fast_hit(a, r, n, i % 4, w[0][i], w[1][i], w[2][i], hit))
 			continue;
-		t = limit_of(hit->t, l->shift[lane], l->tscale[lane]);
-		if (t < l->tfar[lane]) {
-			l->tfar[lane] = t;
-			h->zfar[lane] = t * l->depth[lane];
-		}
-		h->found |= (uint64_t)any << lane;
+		t = limit_of(hit->t, l->shift[at], l->tscale[at]);
+		if (t < l->tfar[at])
+			herd_cut(a, h, at, t);
+		h->found |= (uint64_t)any << at;
 	}
 	h->live &= ~h->found;
 }
 
-/* As block_behind(). */
-V uint32_t herd_behind(const struct herd *h, const struct block *n, unsigned k, unsigned row, f16 qz, f16 sum)
+/* Of those that may be hit, the ones that the ray sees. */
+V void herd_see(const ald_accel *a, const struct batch *s, const struct herd *h, const struct block *n,
+		const uint32_t *lane, struct encounter *m)
 {
-	const struct lot *l = &h->lot;
-	uint32_t x = h->axis[0], y = h->axis[1], z = h->axis[2];
-	float ex = n->v[1][x][k] - n->v[0][x][k], ey = n->v[1][y][k] - n->v[0][y][k];
-	float ez = (n->v[1][z][k] - n->v[0][z][k]) * h->side, gx = n->v[2][x][k] - n->v[0][x][k];
-	float gy = n->v[2][y][k] - n->v[0][y][k], gz = (n->v[2][z][k] - n->v[0][z][k]) * h->side;
-	float nx = ey * gz - ez * gy, ny = ez * gx - ex * gz, nz = ex * gy - ey * gx;
-	float s = n->slack[k] * (1 / (11 * EDGE_ERROR)), slack = 3 * n->slack[k] * h->grow;
-	f16 qx = f16_sub(f16_all(n->v[0][x][k]), f16_load(l->o[x] + row));
-	f16 qy = f16_sub(f16_all(n->v[0][y][k]), f16_load(l->o[y] + row)), most, e, up;
-
-	most = f16_max(f16_max(f16_size(qx), f16_size(qy)), f16_size(qz));
-	up = f16_mul_add(f16_all(nx), qx, f16_mul_add(f16_all(ny), qy, f16_mul(f16_all(nz), qz)));
-	e = f16_mul_add(most, f16_all(s * (0x1p-20f + 0x1p-18f * s)), f16_all(s * s * 0x1p-21f));
-	e = f16_mul_add(f16_load(l->pad + row), f16_all(8 * s * s), e);
-	return (f16_le(e, up) & f16_le(f16_all(slack), sum)) |
-	       (f16_le(e, f16_sub(f16_all(0), up)) & f16_le(sum, f16_all(-slack)));
-}
-
-/* A triangle and a row of sixteen rays. As block_meet() and beam_meet(). */
-V void herd_triangle(const ald_accel *a, const struct batch *s, struct asked *q, struct herd *h,
-		     const struct block *n, unsigned k, unsigned row, uint32_t lanes, int any)
-{
-	struct lot *l = &h->lot;
-	struct corner c0 = herd_corner(h, n->v[0], k, row), c1 = herd_corner(h, n->v[1], k, row);
-	struct corner c2 = herd_corner(h, n->v[2], k, row);
-	f16 w0 = f16_mul_sub(c2.x, c1.y, f16_mul(c2.y, c1.x)), w1 = f16_mul_sub(c0.x, c2.y, f16_mul(c0.y, c2.x));
-	f16 w2 = f16_mul_sub(c1.x, c0.y, f16_mul(c1.y, c0.x)), least = f16_min(w0, f16_min(w1, w2));
-	f16 most = f16_max(w0, f16_max(w1, w2)), zmin = f16_min(c0.z, f16_min(c1.z, c2.z)), zmax, z, sum, off, size;
-	f16 low, high, back, t, error;
-	float slack = n->slack[k] * h->grow;
-	uint32_t maybe, sure;
-
-	maybe = f16_le(f16_all(-slack), least) | f16_le(most, f16_all(slack));
-	maybe &= f16_le(zmin, f16_load(h->zfar + row)) & lanes;
-	if (!maybe)
-		return;
-	if (a->fast) {
-		herd_meet_fast(a, s, h, n, k, row, maybe, w1, w2, f16_add(f16_add(w0, w1), w2), any);
-		return;
-	}
-	for (uint32_t bits = maybe; bits; bits &= bits - 1) {
+	m->maybe &= ~g_same(g_seats((const float *)n->id), G_SPREAD(g_rows(h->aim, AIM_SKIP, lane), 0));
+	for (uint32_t bits = a->prims->mask ? m->maybe : 0; bits; bits &= bits - 1) {
 		unsigned i = (unsigned)__builtin_ctz(bits);
 
-		if (!ald_sees(a->prims, &s->ray[l->index[row + i]], n->id[k]))
-			maybe &= ~(1u << i);
+		if (!ald_sees(a->prims, &s->ray[h->lot.index[lane[i / 4]]], n->id[i % 4]))
+			m->maybe &= ~(1u << i);
 	}
-	sum = f16_add(f16_add(w0, w1), w2);
-	z = f16_div(f16_mul_add(w0, c0.z, f16_mul_add(w1, c1.z, f16_mul(w2, c2.z))), sum);
-	zmax = f16_max(c0.z, f16_max(c1.z, c2.z));
-	error = f16_max(f16_size(zmin), f16_size(zmax));
-	error = f16_mul_add(error, f16_all(DEPTH_RELATIVE), f16_load(h->zerror + row));
-	off = f16_max(f16_sub(f16_size(sum), f16_all(3 * slack)), f16_all(0x1p-100f));
-	off = f16_div(f16_mul(f16_all(3 * slack), f16_sub(zmax, zmin)), off);
-	off = f16_add(off, error);
-	size = f16_max(larger(c0), f16_max(larger(c1), larger(c2)));
-	sure = f16_le(f16_all(slack), least) | f16_le(most, f16_all(-slack));
-	sure &= f16_le(size, f16_all(n->slack[k] * h->grow * h->extent));
-	zmin = f16_sub(zmin, error);
-	zmax = f16_add(zmax, error);
-	low = f16_max(f16_pick(sure, f16_sub(z, off), zmin), zmin);
-	high = f16_min(f16_pick(sure, f16_add(z, off), zmax), zmax);
-	maybe &= f16_le(f16_load(h->before + row), high);
-	sure &= f16_le(high, f16_load(h->sure_hi + row)) & f16_le(f16_load(h->sure_lo + row), low) & maybe;
-	if (maybe & ~sure & f16_le(low, f16_load(h->sure_lo + row)))
-		maybe &= ~herd_behind(h, n, k, row, c0.z, sum) | sure;
-	if (any) {
-		h->found |= (uint64_t)sure << row;
-		h->live &= ~((uint64_t)sure << row);
-		maybe &= ~sure;
-		if (!maybe)
-			return;
-	}
-	back = f16_load(h->back + row);
-	low = f16_mul(low, back);
-	low = f16_sub_mul(low, f16_size(low), f16_all(0x1p-20f));
-	if (!any) {
-		f16 tfar = f16_load(l->tfar + row);
-
-		t = f16_mul(high, f16_mul(back, f16_all(1 + 0x1p-20f)));
-		tfar = f16_min(f16_pick(sure, t, tfar), tfar);
-		f16_store(l->tfar + row, tfar);
-		f16_store(h->zfar + row, f16_mul_add(tfar, f16_load(l->depth + row),
-						     f16_add(f16_load(h->zerror + row), f16_all(DEPTH_ERROR))));
-		if (a->frame.exact)
-			f16_pack(h->high + h->pending, h->lane + h->pending, f16_pick(sure, t, f16_all(INFINITY)),
-				 maybe, row);
-	}
-	f16_pack(h->low + h->pending, h->lane + h->pending, low, maybe, row);
-	for (unsigned i = 0; i < 16; i++)
-		h->id[h->pending + i] = n->id[k];
-	h->pending += (uint32_t)__builtin_popcount(maybe);
-	if (h->pending > HERD_PENDING)
-		herd_settle(a, s, q, h);
 }
 
-/* A ray and the triangles of a block. */
-V void herd_block(const ald_accel *a, const struct batch *s, struct asked *q, struct herd *h, const struct block *n,
-		  unsigned lane, int any)
+/* A block and the first of GROUP lanes. */
+V void herd_meet(const ald_accel *a, const struct batch *s, struct asked *q, struct herd *h, const struct block *n,
+		 const struct seats *e, const uint32_t *lane, uint32_t count, int any)
 {
-	struct lot *l = &h->lot;
-	const uint32_t *axis = h->axis;
-	const struct aim t = { .o = { l->o[axis[0]][lane], l->o[axis[1]][lane], h->oz[lane] },
-			       .shear = { l->shear[0][lane], l->shear[1][lane] },
-			       .side = h->side,
-			       .zfar = h->zfar[lane],
-			       .before = h->before[lane],
-			       .sure_lo = h->sure_lo[lane],
-			       .sure_hi = h->sure_hi[lane],
-			       .zerror = h->zerror[lane],
-			       .pad = l->pad[lane],
-			       .grow = h->grow,
-			       .reach = h->extent,
-			       .back = h->back[lane],
-			       .axis = { axis[0], axis[1], axis[2] } };
-	struct meeting m;
+	struct encounter m;
+	float least[4 * GROUP] __attribute__((aligned(64)));
+	gv low, high, near;
 
-	block_meet(a, &t, n, &s->ray[l->index[lane]], &m, 1);
+	herd_weigh(h, e, lane, &m);
+	m.maybe &= count < GROUP ? (1u << 4 * count) - 1 : UINT32_MAX;
 	if (!m.maybe)
 		return;
-	if (any && m.sure) {
-		h->found |= (uint64_t)1 << lane;
-		h->live &= ~((uint64_t)1 << lane);
+	if (a->fast) {
+		herd_meet_fast(a, s, h, n, lane, &m, any);
 		return;
 	}
-	if (!any) {
-		f4 high = high_t(&t, &m);
-		float least = f4_least(high);
+	m.aim[2] = g_rows(h->aim, AIM_SURE_LO, lane);
+	herd_see(a, s, h, n, lane, &m);
+	herd_bounds(h, n, e, &m, &low, &high);
+	if (!m.maybe)
+		return;
+	if (any) {
+		uint32_t hit = m.sure | m.sure >> 1;
 
-		least = least < l->tfar[lane] ? least : l->tfar[lane];
-		l->tfar[lane] = least;
-		h->zfar[lane] = least * l->depth[lane] + (t.zerror + DEPTH_ERROR);
-		f4_pack(&h->high[h->pending], high, m.maybe);
+		for (hit = (hit | hit >> 2) & 0x11111111; hit; hit &= hit - 1) {
+			unsigned i = (unsigned)__builtin_ctz(hit);
+
+			h->found |= (uint64_t)1 << lane[i / 4];
+			m.maybe &= ~(15u << i);
+		}
+		h->live &= ~h->found;
+		if (!m.maybe)
+			return;
+	} else if (m.sure) {
+		uint32_t hit = m.sure | m.sure >> 1;
+
+		near = g_min(high, G_TURN(high, 0xb1));
+		g_store(least, g_min(near, G_TURN(near, 0x4e)));
+		for (hit = (hit | hit >> 2) & 0x11111111; hit; hit &= hit - 1) {
+			unsigned i = (unsigned)__builtin_ctz(hit), at = lane[i / 4];
+
+			if (least[i] < h->lot.tfar[at])
+				herd_cut(a, h, at, least[i]);
+		}
 	}
-	f4_pack((float *)&h->id[h->pending], f4_load((const float *)n->id), m.maybe);
-	f4_pack(&h->low[h->pending], low_t(&t, m.low), m.maybe);
-	for (unsigned i = 0; i < SEATS; i++)
-		h->lane[h->pending + i] = lane;
+	if (!any && a->frame.exact)
+		g_pack(&h->high[h->pending], high, m.maybe);
+	g_pack(&h->low[h->pending], low, m.maybe);
+	g_pack((float *)&h->id[h->pending], g_seats((const float *)n->id), m.maybe);
+	g_pack((float *)&h->lane[h->pending], g_each(lane), m.maybe);
 	h->pending += (uint32_t)__builtin_popcount(m.maybe);
 	if (h->pending > HERD_PENDING)
 		herd_settle(a, s, q, h);
@@ -475,20 +497,17 @@ V void herd_leaf(const ald_accel *a, const struct batch *s, struct asked *q, str
 {
 	const struct block *n = &a->block[ref & REF_INDEX];
 	const struct block *end = n + (ref >> REF_SHIFT & 7) + 1;
+	uint32_t lane[LOT + 16], m = lanes_of(lanes, lane);
 
 	for (; n < end; n++) {
-		for (unsigned row = 0; row < h->size; row += 16) {
-			uint32_t in = (uint32_t)((lanes & h->live) >> row) & 0xffff;
+		struct seats e;
 
-			if ((uint32_t)__builtin_popcount(in) < HERD_ROW && !a->fast) {
-				for (; in; in &= in - 1)
-					herd_block(a, s, q, h, n, row + (unsigned)__builtin_ctz(in), any);
-				continue;
-			}
-			for (unsigned k = 0; in && k < SEATS && n->slack[k] >= 0; k++) {
-				herd_triangle(a, s, q, h, n, k, row, in, any);
-				in &= (uint32_t)(h->live >> row);
-			}
+		seats_set(h, n, &e);
+		for (uint32_t i = 0; i < m; i += GROUP)
+			herd_meet(a, s, q, h, n, &e, lane + i, m - i, any);
+		if (any && lanes & ~h->live) {
+			lanes &= h->live;
+			m = lanes_of(lanes, lane);
 		}
 	}
 }
@@ -505,8 +524,8 @@ V void herd_others(const ald_accel *a, const struct batch *s, ald_query *q, stru
 		beam_begin(a, b, l, lane, s, l->index[lane]);
 		b->ref = ref;
 		beam_others(a, q, b, any);
-		l->tfar[lane] = b->tfar < l->tfar[lane] ? b->tfar : l->tfar[lane];
-		h->zfar[lane] = l->tfar[lane] * l->depth[lane] + (a->fast ? 0 : h->zerror[lane] + DEPTH_ERROR);
+		if (b->tfar < l->tfar[lane])
+			herd_cut(a, h, lane, b->tfar);
 		h->found |= (uint64_t)b->found << lane;
 	}
 	h->live &= ~h->found;
@@ -549,9 +568,13 @@ V void herd_walk(const ald_accel *a, const struct batch *s, struct asked *asked,
 			mask = herd_reach(h, h->enter[top], mask);
 		if (!mask)
 			continue;
-		if (ref < REF_LEAF)
+		if (ref < REF_LEAF) {
 			herd_fetch(a, h, top = herd_node(a, h, ref, mask, top, any));
-		else if (ref < REF_OTHERS)
+			continue;
+		}
+		if (!h->aimed)
+			herd_aims(a, h, s);
+		if (ref < REF_OTHERS)
 			herd_leaf(a, s, asked, h, ref, mask, any);
 		else
 			herd_others(a, s, q, h, ref, mask, any);

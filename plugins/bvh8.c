@@ -10,6 +10,7 @@
 #include "seen.h"
 
 #define CACHE ((uint64_t)2 << 20) /* bytes of a tree that a processor's second cache holds */
+#define FAR 8 /* times as large, and most of what a ray meets has to be fetched */
 
 static const char *const build_label[] = { "auto", "sah", "fast", NULL };
 static const ald_param params[] = {
@@ -99,7 +100,7 @@ static int bvh8_build(const ald_host *host, const ald_prims *prims, const double
 		status = make_tree(&b);
 	if (!status)
 		status = host->progress(host->ctx, 0.8) ? ALD_CANCELLED : bvh8_widen(&b);
-	b.a->far = b.a->bytes > CACHE;
+	b.a->far = (b.a->bytes > CACHE) + (b.a->bytes > FAR * CACHE);
 	b.a->herds = !b.a->interleave;
 	if (!b.a->interleave)
 		b.a->interleave = INTERLEAVE_MAX;

@@ -37,6 +37,13 @@
 #define INTERLEAVE_MAX 48u
 #define STACK_MAX ((WIDTH - 1) * LEVELS_MAX + 2)
 
+/* Short loops over axes, corners or lanes, whose arrays are to stay in registers: -O2 alone leaves them in memory. */
+#ifdef __clang__
+#define UNROLL _Pragma("clang loop unroll(full)")
+#else
+#define UNROLL _Pragma("GCC unroll 8")
+#endif
+
 /* A reference to a child: a node's number; or a leaf's first block and how many it has; or where in
  * other[] there is a count and so many ids. EMPTY: no child. */
 #define REF_LEAF 0x80000000u
@@ -71,7 +78,7 @@ struct ald_accel {
 	int parts; /* triangles were split, so a ray can meet one again in another leaf */
 	int herds; /* where rays go together, so do they */
 	int hasty; /* it was built fast */
-	int far; /* the mesh is larger than a cache */
+	int far; /* the tree is larger than a cache; 2: far larger */
 	int fast; /* ALD_PRECISION_FAST: no bounds, and floats have the last word */
 	double centre[3], scale; /* to X */
 	ald_box box; /* around the primitives, grown (R4) */

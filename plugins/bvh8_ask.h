@@ -33,9 +33,11 @@ V void question_set(struct question *s, unsigned i, const ald_prims *p, const al
 	s->first[i] = r->tmin;
 	s->last[i] = last;
 	ald_corners(p, id, p->origin ? ald_group_of(p, id) : 0, v);
+	UNROLL
 	for (unsigned k = 0; k < 3; k++) {
 		s->o[k][i] = ald_get(&r->org, k);
 		s->d[k][i] = ald_get(&r->dir, k);
+		UNROLL
 		for (unsigned j = 0; j < 3; j++)
 			s->v[j][k][i] = ald_get(&v[j], k);
 	}
@@ -56,6 +58,7 @@ V dv answer_t(const dv o[3], const dv d[3], const dv v[3][3])
 {
 	dv e[3], g[3], t, across, t0 = dv_all(-ALD_INF), t1 = dv_all(ALD_INF), n[3], q[3];
 
+	UNROLL
 	for (unsigned k = 0; k < 3; k++) {
 		e[k] = dv_sub(v[1][k], v[0][k]);
 		g[k] = dv_sub(v[2][k], v[0][k]);
@@ -67,6 +70,7 @@ V dv answer_t(const dv o[3], const dv d[3], const dv v[3][3])
 	t = sum3(dv_mul(n[0], q[0]), dv_mul(n[1], q[1]), dv_mul(n[2], q[2]));
 	across = sum3(dv_mul(n[0], d[0]), dv_mul(n[1], d[1]), dv_mul(n[2], d[2]));
 	t = dv_div(t, across);
+	UNROLL
 	for (unsigned k = 0; k < 3; k++) {
 		dv lo = dv_min(dv_min(v[0][k], v[1][k]), v[2][k]);
 		dv hi = dv_max(dv_max(v[0][k], v[1][k]), v[2][k]);
@@ -86,10 +90,12 @@ V void answer(const ald_accel *a, const struct question *s, struct answer *r)
 	dv o[3], d[3], v[3][3], size[3], oo[3], dd[3], w[3], x[3], y[3], far, e, minus, sum, shear[2], t;
 	dm main[3], up, down, in;
 
+	UNROLL
 	for (unsigned k = 0; k < 3; k++) {
 		o[k] = dv_load(s->o[k]);
 		d[k] = dv_load(s->d[k]);
 		size[k] = dv_size(d[k]);
+		UNROLL
 		for (unsigned j = 0; j < 3; j++)
 			v[j][k] = dv_load(s->v[j][k]);
 	}
@@ -101,6 +107,7 @@ V void answer(const ald_accel *a, const struct question *s, struct answer *r)
 	along_main(main, d, dd);
 	shear[0] = dv_div(dd[0], dd[2]);
 	shear[1] = dv_div(dd[1], dd[2]);
+	UNROLL
 	for (unsigned j = 0; j < 3; j++) {
 		dv c[3], z;
 

@@ -83,6 +83,7 @@ V void beam_begin(const ald_accel *a, struct beam *b, const struct lot *l, unsig
 	float far = 1 + 4 * l->pad[i] / EDGE_ERROR, first, last;
 	struct aim *aim = &b->aim;
 
+	UNROLL
 	for (unsigned k = 0; k < 3; k++) {
 		uint32_t down = (uint32_t)(l->sign[k] >> i & 1);
 
@@ -258,6 +259,7 @@ V void block_meet(const ald_accel *a, const struct aim *t, const struct block *n
 		return;
 	m->maybe &= ~f4_same(n->id, ray->skip);
 	if (a->prims->mask) {
+		UNROLL
 		for (unsigned k = 0; k < SEATS; k++)
 			m->maybe &= ~((uint32_t)(!ald_sees(a->prims, ray, n->id[n->slack[k] < 0 ? 0 : k])) << k);
 	}
@@ -368,10 +370,12 @@ V double plane_t(const ald_accel *a, const ald_ray *r, const struct block *n, un
 {
 	double e[3], g[3], up = 0, across = 0;
 
+	UNROLL
 	for (unsigned i = 0; i < 3; i++) {
 		e[i] = (double)n->v[1][i][k] - (double)n->v[0][i][k];
 		g[i] = (double)n->v[2][i][k] - (double)n->v[0][i][k];
 	}
+	UNROLL
 	for (unsigned i = 0; i < 3; i++) {
 		unsigned x = i == 2 ? 0 : i + 1, y = x == 2 ? 0 : x + 1;
 		double normal = e[x] * g[y] - e[y] * g[x];

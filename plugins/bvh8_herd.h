@@ -13,125 +13,14 @@
 #ifndef BVH8_HERD_H
 #define BVH8_HERD_H
 
-#include "bvh8_beam.h"
+#include "bvh8_leaf.h"
 
 #if ISA_LEVEL >= 2
-#define HERD_PENDING 512u
 #define HERD_MANY 6u /* rays that are worth a hull */
 #define HERD_AHEAD 3u
 #define HERD_LEAST 16u
-#define HERD_TOGETHER(a) ((a)->far ? 4u : 2u) /* rays that open a node together, on average, or herds do not pay */
 #define HERD_FETCH (24 * sizeof(ald_ray)) /* how far ahead rays are fetched */
 #define TESTED UINT32_MAX
-
-struct herd {
-	struct lot lot;
-	float aim[LOT][16]; /* of each ray, once one has come to a leaf: see herd_aims() */
-	f8 edge_near[3], edge_far[3], slow[3], fast[3]; /* the hull: origins, inverse directions */
-	uint64_t live, found, asked; /* lanes; asked: the doubles were, before the end */
-	float reach; /* tfar of the farthest */
-	float side, grow, extent; /* extent: see beam's reach */
-	uint32_t near[3], far[3]; /* which planes of a node */
-	uint32_t axis[3], size, aimed;
-	uint32_t steps, rays; /* nodes that were opened, by how many rays */
-	uint32_t pending;
-	float low[HERD_PENDING + 16], high[HERD_PENDING + 16]; /* see beam; high in exact order only */
-	uint32_t lane[HERD_PENDING + 16], id[HERD_PENDING + 16];
-	/* The stack: what is to be seen, by which rays, where the first of them may enter it, and which box they
-	 * are to be tested against yet, as its node's child. */
-	uint32_t ref[STACK_MAX + WIDTH], some[STACK_MAX + WIDTH], more[STACK_MAX + WIDTH], box[STACK_MAX + WIDTH];
-	float enter[STACK_MAX + WIDTH];
-	struct beam beam;
-} __attribute__((aligned(64)));
-
-V void herd_hull(struct herd *h, float pad)
-{
-	const struct lot *l = &h->lot;
-
-	for (unsigned k = 0; k < 3; k++) {
-		f16 lo = f16_all(INFINITY), hi = f16_all(-INFINITY), slow = lo, fast = hi;
-		float least, most;
-
-		for (unsigned i = 0; i < h->size; i += 16) {
-			uint32_t in = (uint32_t)(h->live >> i) & 0xffff;
-			f16 o = f16_load(l->o[k] + i), v = f16_load(l->inverse[k] + i);
-
-			lo = f16_min(f16_pick(in, o, lo), lo);
-			hi = f16_max(f16_pick(in, o, hi), hi);
-			slow = f16_min(f16_pick(in, v, slow), slow);
-			fast = f16_max(f16_pick(in, v, fast), fast);
-		}
-		least = f16_least(lo) - (BOX_ERROR + pad);
-		most = f16_most(hi) + (BOX_ERROR + pad);
-		h->edge_near[k] = f8_all(h->near[k] & 1 ? least : most);
-		h->edge_far[k] = f8_all(h->near[k] & 1 ? most : least);
-		h->slow[k] = f8_all(f16_least(slow));
-		h->fast[k] = f8_all(f16_most(fast));
-	}
-}
-
-/* What triangles want to know of a ray, in fours. See struct aim for all of these. */
-enum { AIM_OX, AIM_OY, AIM_OZ, AIM_ZFAR, AIM_SX, AIM_SY, AIM_ZERROR, AIM_BEFORE, AIM_SURE_LO, AIM_SURE_HI, AIM_PAD,
-       AIM_BACK, AIM_SKIP, AIM_DEPTH };
-
-static __attribute__((noinline)) void herd_aims(const ald_accel *a, struct herd *h, const struct batch *s)
-{
-	struct lot *l = &h->lot;
-	const f8 tiny = f8_all(DEPTH_LEAST), side = f8_all(h->side);
-	float skip[LOT] __attribute__((aligned(64)));
-
-	h->aimed = 1;
-	for (unsigned i = 0; i < h->size; i++)
-		memcpy(&skip[i], &s->ray[l->index[i]].skip, sizeof(*skip));
-	for (unsigned i = 0; i < h->size; i += 8) {
-		f8 depth = f8_load(l->depth + i), pad = f8_load(l->pad + i), near, far, zerror, zfar, t;
-
-		zerror = a->fast ? f8_all(0) : f8_mul_add(pad, f8_all(0x1p15f), tiny);
-		zfar = f8_mul_add(f8_load(l->tfar + i), depth, f8_add(zerror, f8_all(a->fast ? 0 : DEPTH_ERROR)));
-		f8_rows(h->aim + i, AIM_OX, f8_load(l->o[h->axis[0]] + i), f8_load(l->o[h->axis[1]] + i),
-			f8_mul(f8_load(l->o[h->axis[2]] + i), side), zfar);
-		near = f8_mul(f8_load(l->first + i), depth);
-		t = f8_mul(f8_size(near), tiny);
-		f8_rows(h->aim + i, AIM_SX, f8_load(l->shear[0] + i), f8_load(l->shear[1] + i), zerror,
-			f8_sub(near, t));
-		far = f8_mul(f8_load(l->last + i), depth);
-		f8_rows(h->aim + i, AIM_SURE_LO, f8_add(near, t), f8_sub(far, f8_mul(f8_size(far), tiny)), pad,
-			f8_mul(f8_load(l->inverse[h->axis[2]] + i), side));
-		f8_rows(h->aim + i, AIM_SKIP, f8_load(skip + i), depth, depth, depth);
-	}
-}
-
-V void herd_begin(const ald_accel *a, struct herd *h)
-{
-	const struct lot *l = &h->lot;
-	f16 pads = f16_all(0), reach = f16_all(-INFINITY);
-	float pad, far;
-
-	h->found = h->asked = 0;
-	h->pending = 0;
-	for (unsigned i = 0; i < h->size; i += 16) {
-		uint32_t in = (uint32_t)(h->live >> i) & 0xffff;
-
-		pads = f16_max(f16_pick(in, f16_load(l->pad + i), pads), pads);
-		reach = f16_max(f16_pick(in, f16_load(l->tfar + i), reach), reach);
-	}
-	h->aimed = 0;
-	h->reach = f16_most(reach);
-	pad = f16_most(pads);
-	far = 1 + 4 * pad / EDGE_ERROR;
-	h->grow = a->fast ? 0 : far * far;
-	h->extent = 1 / (6 * EDGE_ERROR) / (far * far);
-	herd_hull(h, pad);
-}
-
-/* Nothing beyond t counts for a lane. */
-V void herd_cut(const ald_accel *a, struct herd *h, unsigned lane, float t)
-{
-	float *aim = h->aim[lane];
-
-	h->lot.tfar[lane] = t;
-	aim[AIM_ZFAR] = t * aim[AIM_DEPTH] + (a->fast ? 0 : aim[AIM_ZERROR] + DEPTH_ERROR);
-}
 
 /* The lanes of a row of sixteen, from lane i on, that enter a node's child. */
 V uint32_t herd_box(const struct herd *h, const struct node *n, unsigned k, unsigned i)
@@ -139,6 +28,7 @@ V uint32_t herd_box(const struct herd *h, const struct node *n, unsigned k, unsi
 	const struct lot *l = &h->lot;
 	f16 t0 = f16_all(0), t1 = f16_load(l->tfar + i);
 
+	UNROLL
 	for (unsigned j = 0; j < 3; j++) {
 		f16 v = f16_load(l->inverse[j] + i);
 
@@ -179,6 +69,7 @@ V void herd_ray(const struct herd *h, const f8 near[3], const f8 far[3], unsigne
 	const struct lot *l = &h->lot;
 	f8 t0 = f8_all(0), t1 = f8_all(l->tfar[i]);
 
+	UNROLL
 	for (unsigned k = 0; k < 3; k++) {
 		f8 v = f8_all(l->inverse[k][i]);
 
@@ -194,6 +85,7 @@ V void herd_rays(const struct herd *h, const struct node *n, uint64_t mask, stru
 {
 	f8 near[3], far[3];
 
+	UNROLL
 	for (unsigned k = 0; k < 3; k++) {
 		near[k] = f8_load(n->plane[h->near[k]]);
 		far[k] = f8_load(n->plane[h->far[k]]);
@@ -219,6 +111,7 @@ V uint32_t herd_node(const ald_accel *a, struct herd *h, uint32_t ref, uint64_t 
 		f8 t0 = f8_all(0), t1 = f8_all(h->reach);
 		uint32_t rows = 0, some;
 
+		UNROLL
 		for (unsigned k = 0; k < 3; k++) {
 			f8 x = f8_sub(f8_load(n->plane[h->near[k]]), h->edge_near[k]);
 			f8 y = f8_sub(f8_load(n->plane[h->far[k]]), h->edge_far[k]);
@@ -248,270 +141,6 @@ V uint32_t herd_node(const ald_accel *a, struct herd *h, uint32_t ref, uint64_t 
 			     h->box + top, h->enter + top);
 }
 
-/* Give the doubles what is pending. */
-V void herd_settle(const ald_accel *a, const struct batch *s, struct asked *q, struct herd *h)
-{
-	for (uint32_t i = 0; i < h->pending; i++) {
-		uint32_t lane = h->lane[i];
-
-		if (q->n == ASKED_MAX)
-			ask(a, s, q);
-		q->ray[q->n] = h->lot.index[lane];
-		q->id[q->n] = h->id[i];
-		q->n += !(h->low[i] > h->lot.tfar[lane]) & !(h->found >> lane & 1);
-		h->asked |= (uint64_t)1 << lane;
-	}
-	h->pending = 0;
-}
-
-/* beam_certain() for all: their triangles are pending no more. */
-V void herd_certain(const struct batch *s, struct herd *h)
-{
-	const struct lot *l = &h->lot;
-	uint32_t best[LOT];
-	uint64_t some = 0, sure;
-
-	for (uint32_t i = 0; i < h->pending; i++) {
-		uint32_t lane = h->lane[i];
-
-		if (!(some >> lane & 1) || h->low[i] < h->low[best[lane]])
-			best[lane] = i;
-		some |= (uint64_t)1 << lane;
-	}
-	sure = some & ~h->asked;
-	for (uint32_t i = 0; i < h->pending; i++) {
-		uint32_t lane = h->lane[i], b = best[lane];
-
-		if (h->id[i] != h->id[b] && !(h->low[i] > h->high[b]))
-			sure &= ~((uint64_t)1 << lane);
-	}
-	for (uint64_t bits = sure; bits; bits &= bits - 1) {
-		unsigned lane = (unsigned)__builtin_ctzll(bits);
-		uint32_t b = best[lane];
-		ald_hit *hit = &s->hit[l->index[lane]];
-
-		if (hit->prim == ALD_NONE && h->high[b] < INFINITY)
-			*hit = certain_hit(h->low[b], h->high[b], l->tscale[lane], l->shift[lane], h->id[b]);
-		else
-			sure &= ~((uint64_t)1 << lane);
-	}
-	for (uint32_t i = 0; i < h->pending; i++)
-		h->low[i] = sure >> h->lane[i] & 1 ? INFINITY : h->low[i];
-}
-
-/* ---- triangles: the four of a block and GROUP rays in one step ---- */
-
-struct seats { /* a block, as the herd's axes have it, once for each ray of a group */
-	gv x[3], y[3], z[3], slack;
-};
-
-V void seats_set(const struct herd *h, const struct block *n, struct seats *e)
-{
-	for (unsigned i = 0; i < 3; i++) {
-		e->x[i] = g_seats(n->v[i][h->axis[0]]);
-		e->y[i] = g_seats(n->v[i][h->axis[1]]);
-		e->z[i] = g_mul(g_seats(n->v[i][h->axis[2]]), g_all(h->side));
-	}
-	e->slack = g_mul(g_seats(n->slack), g_all(h->grow));
-}
-
-struct encounter { /* as struct meeting */
-	gv a, b, c, ax, ay, az, bx, by, bz, cx, cy, cz, zmin, zmax, least, most;
-	gv aim[3]; /* fours of each ray */
-	uint32_t maybe, sure;
-};
-
-/* As block_meet() begins. */
-V void herd_weigh(const struct herd *h, const struct seats *e, const uint32_t *lane, struct encounter *m)
-{
-	gv o = g_rows(h->aim, AIM_OX, lane), s = g_rows(h->aim, AIM_SX, lane);
-	gv ox = G_SPREAD(o, 0), oy = G_SPREAD(o, 1), oz = G_SPREAD(o, 2), sx = G_SPREAD(s, 0), sy = G_SPREAD(s, 1);
-
-	m->aim[0] = o;
-	m->aim[1] = s;
-	m->az = g_sub(e->z[0], oz);
-	m->bz = g_sub(e->z[1], oz);
-	m->cz = g_sub(e->z[2], oz);
-	m->ax = g_sub_mul(g_sub(e->x[0], ox), sx, m->az);
-	m->ay = g_sub_mul(g_sub(e->y[0], oy), sy, m->az);
-	m->bx = g_sub_mul(g_sub(e->x[1], ox), sx, m->bz);
-	m->by = g_sub_mul(g_sub(e->y[1], oy), sy, m->bz);
-	m->cx = g_sub_mul(g_sub(e->x[2], ox), sx, m->cz);
-	m->cy = g_sub_mul(g_sub(e->y[2], oy), sy, m->cz);
-	m->a = g_mul_sub(m->cx, m->by, g_mul(m->cy, m->bx));
-	m->b = g_mul_sub(m->ax, m->cy, g_mul(m->ay, m->cx));
-	m->c = g_mul_sub(m->bx, m->ay, g_mul(m->by, m->ax));
-	m->least = g_min(m->a, g_min(m->b, m->c));
-	m->most = g_max(m->a, g_max(m->b, m->c));
-	m->zmin = g_min(m->az, g_min(m->bz, m->cz));
-	m->maybe = g_le(g_negate(e->slack), m->least) | g_le(m->most, e->slack);
-	m->maybe &= g_le(m->zmin, G_SPREAD(o, 3));
-}
-
-/* As block_behind(). */
-V uint32_t herd_behind(const struct herd *h, const struct block *n, const struct seats *v, const struct encounter *m,
-		       gv sum)
-{
-	gv ex = g_sub(v->x[1], v->x[0]), ey = g_sub(v->y[1], v->y[0]), ez = g_sub(v->z[1], v->z[0]);
-	gv gx = g_sub(v->x[2], v->x[0]), gy = g_sub(v->y[2], v->y[0]), gz = g_sub(v->z[2], v->z[0]);
-	gv nx = g_mul_sub(ey, gz, g_mul(ez, gy)), ny = g_mul_sub(ez, gx, g_mul(ex, gz));
-	gv nz = g_mul_sub(ex, gy, g_mul(ey, gx)), s = g_mul(g_seats(n->slack), g_all(1 / (11 * EDGE_ERROR)));
-	gv qx = g_sub(v->x[0], G_SPREAD(m->aim[0], 0)), qy = g_sub(v->y[0], G_SPREAD(m->aim[0], 1)), slack, up, e, most;
-
-	slack = g_mul(g_seats(n->slack), g_all(3 * h->grow));
-	most = g_max(g_max(g_size(qx), g_size(qy)), g_size(m->az));
-	up = g_mul_add(nx, qx, g_mul_add(ny, qy, g_mul(nz, m->az)));
-	e = g_mul_add(s, g_all(0x1p-18f), g_all(0x1p-20f));
-	e = g_mul_add(most, e, g_mul(s, g_mul_add(G_SPREAD(m->aim[2], 2), g_all(8), g_all(0x1p-21f))));
-	e = g_mul(e, s);
-	return (g_le(e, up) & g_le(slack, sum)) | (g_le(e, g_negate(up)) & g_le(sum, g_negate(slack)));
-}
-
-/* As block_bounds(); low, and high, as t. Where the line is surely hit all weights have one sign, and D, their sum,
- * is at least 3 slack: so 6 slack S / D bounds 3 slack S / (D - 3 slack), or is more than S. */
-V void herd_bounds(const struct herd *h, const struct block *n, const struct seats *e, struct encounter *m, gv *low,
-		   gv *high)
-{
-	gv sum = g_add(g_add(m->a, m->b), m->c), one = g_div(g_all(1), sum), wide, error, off, z, back;
-	gv zmin = m->zmin, zmax = g_max(m->az, g_max(m->bz, m->cz)), zerror = G_SPREAD(m->aim[1], 2);
-	gv sure_lo = G_SPREAD(m->aim[2], 0), sure_hi = G_SPREAD(m->aim[2], 1);
-
-	z = g_mul(g_mul_add(m->a, m->az, g_mul_add(m->b, m->bz, g_mul(m->c, m->cz))), one);
-	error = g_mul_add(g_max(g_size(zmin), g_size(zmax)), g_all(DEPTH_RELATIVE), zerror);
-	off = g_mul(g_mul(e->slack, g_all(6)), g_sub(zmax, zmin));
-	off = g_mul_add(off, g_size(one), error);
-	wide = g_max(g_max(g_max(g_size(m->ax), g_size(m->ay)), g_max(g_size(m->bx), g_size(m->by))),
-		     g_max(g_size(m->cx), g_size(m->cy)));
-	m->sure = g_le(e->slack, m->least) | g_le(m->most, g_negate(e->slack));
-	m->sure &= g_le(wide, g_mul(e->slack, g_all(h->extent)));
-	zmin = g_sub(zmin, error);
-	zmax = g_add(zmax, error);
-	*low = g_max(g_pick(m->sure, g_sub(z, off), zmin), zmin);
-	*high = g_min(g_pick(m->sure, g_add(z, off), zmax), zmax);
-	m->maybe &= g_le(G_SPREAD(m->aim[1], 3), *high);
-	m->sure &= g_le(*high, sure_hi) & g_le(sure_lo, *low) & m->maybe;
-	if (m->maybe & ~m->sure & g_le(*low, sure_lo))
-		m->maybe &= ~herd_behind(h, n, e, m, sum) | m->sure;
-	back = G_SPREAD(m->aim[2], 3);
-	*low = g_mul(*low, back);
-	*low = g_sub_mul(*low, g_size(*low), g_all(0x1p-20f));
-	*high = g_pick(m->sure, g_mul(*high, g_mul(back, g_all(1 + 0x1p-20f))), g_all(INFINITY));
-}
-
-/* As beam_meet_fast(). */
-V void herd_meet_fast(const ald_accel *a, const struct batch *s, struct herd *h, const struct block *n,
-		      const uint32_t *lane, const struct encounter *m, int any)
-{
-	float w[3][4 * GROUP] __attribute__((aligned(64)));
-	struct lot *l = &h->lot;
-
-	g_store(w[0], m->b);
-	g_store(w[1], m->c);
-	g_store(w[2], g_add(g_add(m->a, m->b), m->c));
-	for (uint32_t bits = m->maybe; bits; bits &= bits - 1) {
-		unsigned i = (unsigned)__builtin_ctz(bits), at = lane[i / 4];
-		const ald_ray *r = &s->ray[l->index[at]];
-		ald_hit own = { .t = r->tmax, .prim = ALD_NONE }, *hit = any ? &own : &s->hit[l->index[at]];
-		float t;
-
-		if (!fast_hit(a, r, n, i % 4, w[0][i], w[1][i], w[2][i], hit))
-			continue;
-		t = limit_of(hit->t, l->shift[at], l->tscale[at]);
-		if (t < l->tfar[at])
-			herd_cut(a, h, at, t);
-		h->found |= (uint64_t)any << at;
-	}
-	h->live &= ~h->found;
-}
-
-/* Of those that may be hit, the ones that the ray sees. */
-V void herd_see(const ald_accel *a, const struct batch *s, const struct herd *h, const struct block *n,
-		const uint32_t *lane, struct encounter *m)
-{
-	m->maybe &= ~g_same(g_seats((const float *)n->id), G_SPREAD(g_rows(h->aim, AIM_SKIP, lane), 0));
-	for (uint32_t bits = a->prims->mask ? m->maybe : 0; bits; bits &= bits - 1) {
-		unsigned i = (unsigned)__builtin_ctz(bits);
-
-		if (!ald_sees(a->prims, &s->ray[h->lot.index[lane[i / 4]]], n->id[i % 4]))
-			m->maybe &= ~(1u << i);
-	}
-}
-
-/* A block and the first of GROUP lanes. */
-V void herd_meet(const ald_accel *a, const struct batch *s, struct asked *q, struct herd *h, const struct block *n,
-		 const struct seats *e, const uint32_t *lane, uint32_t count, int any)
-{
-	struct encounter m;
-	float least[4 * GROUP] __attribute__((aligned(64)));
-	gv low, high, near;
-
-	herd_weigh(h, e, lane, &m);
-	m.maybe &= count < GROUP ? (1u << 4 * count) - 1 : UINT32_MAX;
-	if (!m.maybe)
-		return;
-	if (a->fast) {
-		herd_meet_fast(a, s, h, n, lane, &m, any);
-		return;
-	}
-	m.aim[2] = g_rows(h->aim, AIM_SURE_LO, lane);
-	herd_see(a, s, h, n, lane, &m);
-	herd_bounds(h, n, e, &m, &low, &high);
-	if (!m.maybe)
-		return;
-	if (any) {
-		uint32_t hit = m.sure | m.sure >> 1;
-
-		for (hit = (hit | hit >> 2) & 0x11111111; hit; hit &= hit - 1) {
-			unsigned i = (unsigned)__builtin_ctz(hit);
-
-			h->found |= (uint64_t)1 << lane[i / 4];
-			m.maybe &= ~(15u << i);
-		}
-		h->live &= ~h->found;
-		if (!m.maybe)
-			return;
-	} else if (m.sure) {
-		uint32_t hit = m.sure | m.sure >> 1;
-
-		near = g_min(high, G_TURN(high, 0xb1));
-		g_store(least, g_min(near, G_TURN(near, 0x4e)));
-		for (hit = (hit | hit >> 2) & 0x11111111; hit; hit &= hit - 1) {
-			unsigned i = (unsigned)__builtin_ctz(hit), at = lane[i / 4];
-
-			if (least[i] < h->lot.tfar[at])
-				herd_cut(a, h, at, least[i]);
-		}
-	}
-	if (!any && a->frame.exact)
-		g_pack(&h->high[h->pending], high, m.maybe);
-	g_pack(&h->low[h->pending], low, m.maybe);
-	g_pack((float *)&h->id[h->pending], g_seats((const float *)n->id), m.maybe);
-	g_pack((float *)&h->lane[h->pending], g_each(lane), m.maybe);
-	h->pending += (uint32_t)__builtin_popcount(m.maybe);
-	if (h->pending > HERD_PENDING)
-		herd_settle(a, s, q, h);
-}
-
-V void herd_leaf(const ald_accel *a, const struct batch *s, struct asked *q, struct herd *h, uint32_t ref,
-		 uint64_t lanes, int any)
-{
-	const struct block *n = &a->block[ref & REF_INDEX];
-	const struct block *end = n + (ref >> REF_SHIFT & 7) + 1;
-	uint32_t lane[LOT + 16], m = lanes_of(lanes, lane);
-
-	for (; n < end; n++) {
-		struct seats e;
-
-		seats_set(h, n, &e);
-		for (uint32_t i = 0; i < m; i += GROUP)
-			herd_meet(a, s, q, h, n, &e, lane + i, m - i, any);
-		if (any && lanes & ~h->live) {
-			lanes &= h->live;
-			m = lanes_of(lanes, lane);
-		}
-	}
-}
-
 V void herd_others(const ald_accel *a, const struct batch *s, ald_query *q, struct herd *h, uint32_t ref,
 		   uint64_t lanes, int any)
 {
@@ -531,26 +160,70 @@ V void herd_others(const ald_accel *a, const struct batch *s, ald_query *q, stru
 	h->live &= ~h->found;
 }
 
+V void herd_fetch_one(const ald_accel *a, uint32_t ref)
+{
+	const char *p = ref < REF_LEAF	 ? (const char *)&a->node[ref] :
+			ref < REF_OTHERS ? (const char *)&a->block[ref & REF_INDEX] :
+					   (const char *)a->other;
+
+	__builtin_prefetch(p);
+	__builtin_prefetch(p + 64);
+	__builtin_prefetch(p + 128);
+	__builtin_prefetch(p + 192);
+}
+
 /* What is next on the stack. */
 V void herd_fetch(const ald_accel *a, const struct herd *h, uint32_t top)
 {
-	for (uint32_t i = 1; i <= HERD_AHEAD && i <= top; i++) {
-		uint32_t ref = h->ref[top - i];
-		const char *p = ref < REF_LEAF	   ? (const char *)&a->node[ref] :
-				ref < REF_OTHERS ? (const char *)&a->block[ref & REF_INDEX] :
-						   (const char *)a->other;
+	for (uint32_t i = 1; i <= HERD_AHEAD && i <= top; i++)
+		herd_fetch_one(a, h->ref[top - i]);
+}
 
-		__builtin_prefetch(p);
-		__builtin_prefetch(p + 64);
-		__builtin_prefetch(p + 128);
-		__builtin_prefetch(p + 192);
-	}
+/* Rays that open a node together, on average, or herds do not pay. */
+V uint32_t herd_together(const ald_accel *a, int any)
+{
+	return a->far && !any ? 3 : 2;
+}
+
+/* How many steps what comes off the stack waits for what it is to be fetched. A hit that would have spared some rays
+ * the next boxes may come too late by as many, which where any will do is rare. */
+V uint32_t herd_delay(const ald_accel *a, int any)
+{
+	return a->far > 1 ? (any ? HERD_LATER : 3) : a->far && any;
+}
+
+/* One that comes off the stack takes its turn to wait, and another is due: *ref and the lanes it is for. */
+V uint64_t herd_turn(const ald_accel *a, struct herd *h, uint32_t *ref, uint64_t mask, uint32_t turn)
+{
+	uint64_t due = h->waiting[turn] & h->live;
+	uint32_t due_ref = h->later[turn];
+
+	herd_fetch_one(a, *ref);
+	h->waiting[turn] = mask;
+	h->later[turn] = *ref;
+	*ref = due_ref;
+	return due;
+}
+
+/* What is on top of the stack, and the lanes that are to see it. */
+V uint64_t herd_pop(const ald_accel *a, const struct herd *h, uint32_t top, uint32_t *ref, int any)
+{
+	uint64_t mask = (h->some[top] | (uint64_t)h->more[top] << 32) & h->live;
+	uint32_t box = h->box[top];
+
+	*ref = h->ref[top];
+	if (box != TESTED)
+		return herd_boxes(h, &a->node[box / WIDTH], box % WIDTH, mask);
+	return any ? mask : herd_reach(h, h->enter[top], mask);
 }
 
 /* The lot is filled, its live lanes, axes and planes are set. */
 V void herd_walk(const ald_accel *a, const struct batch *s, struct asked *asked, ald_query *q, struct herd *h, int any)
 {
-	uint32_t top = 1;
+	const uint32_t delay = herd_delay(a, any);
+	uint32_t top = 1, waiting = 0, turn = 0;
+
+	memset(h->waiting, 0, sizeof(h->waiting));
 
 	herd_begin(a, h);
 	h->ref[0] = a->root;
@@ -558,18 +231,20 @@ V void herd_walk(const ald_accel *a, const struct batch *s, struct asked *asked,
 	h->more[0] = (uint32_t)(h->live >> 32);
 	h->box[0] = TESTED;
 	h->enter[0] = -INFINITY;
-	while (top) {
-		uint32_t ref = h->ref[--top], box = h->box[top];
-		uint64_t mask = (h->some[top] | (uint64_t)h->more[top] << 32) & h->live;
+	while (top || waiting) {
+		uint32_t ref = 0;
+		uint64_t mask = top ? herd_pop(a, h, --top, &ref, any) : 0;
 
-		if (box != TESTED)
-			mask = herd_boxes(h, &a->node[box / WIDTH], box % WIDTH, mask);
-		else if (!any)
-			mask = herd_reach(h, h->enter[top], mask);
+		if (delay && (mask || !top)) {
+			waiting += (mask != 0) - (uint32_t)(h->waiting[turn] != 0);
+			mask = herd_turn(a, h, &ref, mask, turn);
+			turn = turn + 1 < delay ? turn + 1 : 0;
+		}
 		if (!mask)
 			continue;
 		if (ref < REF_LEAF) {
-			herd_fetch(a, h, top = herd_node(a, h, ref, mask, top, any));
+			top = herd_node(a, h, ref, mask, top, any);
+			herd_fetch(a, h, top);
 			continue;
 		}
 		if (!h->aimed)
@@ -652,6 +327,7 @@ V void herd_serve(const ald_accel *a, const struct batch *b, struct asked *asked
 	h->axis[0] = h->axis[2] == 2 ? 0 : h->axis[2] + 1;
 	h->axis[1] = h->axis[0] == 2 ? 0 : h->axis[0] + 1;
 	h->side = way >> h->axis[2] & 1 ? -1.0f : 1.0f;
+	UNROLL
 	for (unsigned k = 0; k < 3; k++) {
 		h->near[k] = 2 * k + (way >> k & 1);
 		h->far[k] = 2 * k + 1 - (way >> k & 1);

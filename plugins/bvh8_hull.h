@@ -18,12 +18,6 @@
 
 #define V static inline __attribute__((always_inline, unused))
 #define FAR 0x1p100f
-/* A loop of few turns, known when compiled: what it keeps in arrays stays in registers. */
-#ifdef __clang__
-#define UNROLL _Pragma("clang loop unroll(full)")
-#else
-#define UNROLL _Pragma("GCC unroll 8")
-#endif
 
 #if defined __SSE2__
 typedef __m128 q4;

@@ -51,6 +51,7 @@ V dv walk_t(dv t, dv shift, dv tscale)
 /* Along axes k + 1, k + 2 and k, k being each lane's main one. */
 V void along_main(const dm main[3], const dv x[3], dv out[3])
 {
+	UNROLL
 	for (unsigned k = 0; k < 3; k++) {
 		const unsigned next = k == 2 ? 0 : k + 1;
 
@@ -82,6 +83,7 @@ V void lot_doubles(const ald_accel *a, struct lot *l, unsigned i, const dv x[8],
 	far = dv_add(far, dv_all(a->frame.radius));
 	pad = dv_mul(dv_all(16 * ALD_U), far);
 	fine = dv_gt(huge, far);
+	UNROLL
 	for (unsigned k = 0; k < 3; k++) {
 		dv d = x[3 + k], n, f;
 		dm down = dv_sign(d);
@@ -101,6 +103,7 @@ V void lot_doubles(const ald_accel *a, struct lot *l, unsigned i, const dv x[8],
 	if (!live)
 		return;
 	main_axis(size, main);
+	UNROLL
 	for (unsigned k = 0; k < 3; k++)
 		l->main[k] |= (uint64_t)dm_bits(main[k]) << i;
 	up = dv_pick(main[0], size[0], dv_pick(main[1], size[1], size[2]));
@@ -115,6 +118,7 @@ V void lot_doubles(const ald_accel *a, struct lot *l, unsigned i, const dv x[8],
 	dv_single(l->last + i, walk_t(last, t0, tscale));
 	dv_single(l->pad + i,
 		  dv_mul(dv_add(dv_mul(pad, dv_all(4)), dv_all(2 * a->prims->pad)), dv_all(a->scale)));
+	UNROLL
 	for (unsigned k = 0; k < 3; k++) {
 		dv o = dv_add(dv_sub(x[k], dv_all(a->centre[k])), dv_mul(t0, x[3 + k]));
 
@@ -136,6 +140,7 @@ V void lot_singles(const ald_accel *a, struct lot *l, unsigned i)
 
 	error = a->fast ? f8_all(0) : error;
 	f8_store(l->tfar + i, f8_mul_add(last, f8_all(1 + 0x1p-20f), f8_all(0x1p-30f)));
+	UNROLL
 	for (unsigned k = 0; k < 3; k++) {
 		f8 o = f8_load(l->o[k] + i), v = f8_load(l->inverse[k] + i), e;
 
@@ -153,6 +158,7 @@ V void lot_singles(const ald_accel *a, struct lot *l, unsigned i)
 V void lot_fill(const ald_accel *a, struct lot *l, const struct batch *b, uint32_t n)
 {
 	l->live = l->odd = 0;
+	UNROLL
 	for (unsigned k = 0; k < 3; k++)
 		l->sign[k] = l->main[k] = 0;
 	for (unsigned i = 0; i < n; i += DW) {
@@ -160,6 +166,7 @@ V void lot_fill(const ald_accel *a, struct lot *l, const struct batch *b, uint32
 		double t[DW];
 		dv x[8], last;
 
+		UNROLL
 		for (unsigned j = 0; j < DW; j++) {
 			uint32_t r = l->index[i + j < n ? i + j : n - 1];
 

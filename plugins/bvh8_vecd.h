@@ -135,18 +135,22 @@ V void dv_columns(const double *const p[], dv x[8])
 #if ISA_LEVEL >= 3
 	dv r[8], s[8];
 
+	UNROLL
 	for (unsigned i = 0; i < 8; i++)
 		r[i] = _mm512_loadu_pd(p[i]);
+	UNROLL
 	for (unsigned i = 0; i < 8; i += 2) {
 		s[i] = _mm512_unpacklo_pd(r[i], r[i + 1]);
 		s[i + 1] = _mm512_unpackhi_pd(r[i], r[i + 1]);
 	}
+	UNROLL
 	for (unsigned i = 0; i < 2; i++) { /* 2 x 2 blocks in 128 bits each */
 		r[i] = _mm512_shuffle_f64x2(s[i], s[i + 2], 0x88);
 		r[i + 2] = _mm512_shuffle_f64x2(s[i], s[i + 2], 0xdd);
 		r[i + 4] = _mm512_shuffle_f64x2(s[i + 4], s[i + 6], 0x88);
 		r[i + 6] = _mm512_shuffle_f64x2(s[i + 4], s[i + 6], 0xdd);
 	}
+	UNROLL
 	for (unsigned i = 0; i < 2; i++) {
 		x[i] = _mm512_shuffle_f64x2(r[i], r[i + 4], 0x88);
 		x[i + 4] = _mm512_shuffle_f64x2(r[i], r[i + 4], 0xdd);
@@ -154,6 +158,7 @@ V void dv_columns(const double *const p[], dv x[8])
 		x[i + 6] = _mm512_shuffle_f64x2(r[i + 2], r[i + 6], 0xdd);
 	}
 #elif ISA_LEVEL == 2
+	UNROLL
 	for (unsigned h = 0; h < 8; h += 4) {
 		dv a = dv_load(p[0] + h), b = dv_load(p[1] + h), c = dv_load(p[2] + h), d = dv_load(p[3] + h);
 		dv ab0 = _mm256_unpacklo_pd(a, b), ab1 = _mm256_unpackhi_pd(a, b);
@@ -165,9 +170,11 @@ V void dv_columns(const double *const p[], dv x[8])
 		x[h + 3] = _mm256_permute2f128_pd(ab1, cd1, 0x31);
 	}
 #else
+	UNROLL
 	for (unsigned k = 0; k < 8; k++) {
 		double lane[DW];
 
+		UNROLL
 		for (unsigned i = 0; i < DW; i++)
 			lane[i] = p[i][k];
 		x[k] = dv_load(lane);

@@ -264,7 +264,7 @@ static __attribute__((noinline)) void serve_herds(const ald_accel *a, ald_query 
 		uint32_t n = b->n - from < HERD_SORTED ? b->n - from : HERD_SORTED, end[WAYS], at = 0, way = 0;
 
 		herd_sort(b->ray + from, n, order, end);
-		while (at < n && h.rays >= HERD_TOGETHER(a) * h.steps) {
+		while (at < n && h.rays >= herd_together(a, any) * h.steps) {
 			uint32_t m;
 
 			for (; end[way] == at; way++)

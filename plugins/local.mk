@@ -32,7 +32,7 @@ plugins_bvh8_la_SOURCES = plugins/bvh8.c plugins/bvh8_build.c plugins/bvh8_predi
 	plugins/bvh8_sah.h plugins/bvh8_grow.h plugins/bvh8_part.h plugins/bvh8_spatial.h plugins/bvh8_bins.h plugins/bvh8_hull.h \
 	plugins/bvh8_lanes.c plugins/bvh8_plain.c plugins/bvh8_sse.c plugins/bvh8_avx2.c plugins/bvh8_avx512.c \
 	plugins/bvh8.h plugins/isa.h plugins/seen.h plugins/bvh8_lot.h plugins/bvh8_ask.h plugins/bvh8_beam.h \
-	plugins/bvh8_vec.h plugins/bvh8_vecd.h plugins/bvh8_herd.h plugins/bvh8_walk.h
+	plugins/bvh8_vec.h plugins/bvh8_vecd.h plugins/bvh8_vecg.h plugins/bvh8_leaf.h plugins/bvh8_herd.h plugins/bvh8_walk.h
 plugins_bvh8_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
 plugins_bvh8_la_LDFLAGS = $(PLUGIN_LDFLAGS)
 

@@ -16,7 +16,7 @@
 #include "bvh8_leaf.h"
 
 #if ISA_LEVEL >= 2
-#define HERD_MANY 6u /* rays that are worth a hull */
+#define HERD_MANY 12u /* rays that are worth a hull */
 #define HERD_AHEAD 3u
 #define HERD_LEAST 16u
 #define HERD_FETCH (24 * sizeof(ald_ray)) /* how far ahead rays are fetched */

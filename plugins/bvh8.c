@@ -45,7 +45,7 @@ static const struct isa *isa_of(unsigned want, ald_error *err)
 	}
 }
 
-/* The binary tree, or trees, of ref[]. */
+/* From ref[] or key[] to what rays walk through. */
 static int make_tree(struct builder *b)
 {
 	const ald_host *h = b->host;
@@ -60,10 +60,12 @@ static int make_tree(struct builder *b)
 #endif
 
 	if (b->fast)
-		return h->progress(h->ctx, 0.05) ? ALD_CANCELLED : bvh8_fast(b, crop);
+		return h->progress(h->ctx, 0.05) ? ALD_CANCELLED : bvh8_fast(b, crop, bvh8_desk());
 	status = h->progress(h->ctx, 0.05) ? ALD_CANCELLED : bvh8_split(b);
 	if (!status)
 		status = h->progress(h->ctx, 0.1) ? ALD_CANCELLED : bvh8_tree(b, sah);
+	if (!status)
+		status = h->progress(h->ctx, 0.8) ? ALD_CANCELLED : bvh8_widen(b);
 	return status;
 }
 
@@ -98,8 +100,6 @@ static int bvh8_build(const ald_host *host, const ald_prims *prims, const double
 	status = host->progress(host->ctx, 0) ? ALD_CANCELLED : bvh8_refs(&b);
 	if (!status)
 		status = make_tree(&b);
-	if (!status)
-		status = host->progress(host->ctx, 0.8) ? ALD_CANCELLED : bvh8_widen(&b);
 	b.a->far = (b.a->bytes > CACHE) + (b.a->bytes > FAR * CACHE);
 	b.a->herds = !b.a->interleave;
 	if (!b.a->interleave)
@@ -112,7 +112,6 @@ static int bvh8_build(const ald_host *host, const ald_prims *prims, const double
 	host->free(host->ctx, b.corner);
 	host->free(host->ctx, b.part);
 	host->free(host->ctx, b.seat);
-	host->free(host->ctx, b.top_seat);
 	if (status)
 		bvh8_destroy(b.a);
 	else

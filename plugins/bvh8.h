@@ -137,13 +137,13 @@ struct builder {
 	ald_accel *a;
 	struct ref *ref, *spare; /* spare: of the same size, for parallel sorting */
 	uint32_t *id; /* of ref[], once that is in order and gone */
-	uint64_t *key; /* instead of ref, building fast: of a place on a curve, and below that of a primitive */
+	uint64_t *key; /* instead of ref, building fast: a place on a curve, and below that a primitive */
 	struct twig *twig;
 	void *task; /* ranges that were one job each */
 	float *corner; /* of triangles, three times x, y, z, 0; NULL: none is to be cut */
 	float whole; /* half the area of the scene's box */
 	struct part *part; /* the top, and then the tasks */
-	struct seat *seat, *top_seat;
+	struct seat *seat;
 	int fast; /* for few rays */
 	uint32_t refs, room; /* room: how many refs there may be */
 	uint32_t twigs_a_ref, root, top, tasks; /* top: twigs above the tasks */
@@ -164,7 +164,9 @@ int bvh8_tree(struct builder *, int (*make)(struct builder *)); /* ref[] to id[]
 uint32_t bvh8_top_twigs(uint32_t refs);
 int bvh8_sah_base(struct builder *);
 int bvh8_sah_avx2(struct builder *);
-int bvh8_fast(struct builder *, void (*crop)(void *fast, uint32_t i)); /* key[] in order, and twig[] */
+/* From key[] to all that rays walk through; a desk is what a thread works at. */
+int bvh8_fast(struct builder *, void (*crop)(void *fast, uint32_t desk), size_t desk);
+size_t bvh8_desk(void);
 void bvh8_crop_base(void *fast, uint32_t i);
 void bvh8_crop_avx2(void *fast, uint32_t i);
 void bvh8_seat(struct builder *, struct part *, uint32_t root); /* nodes of a task's tree get places */

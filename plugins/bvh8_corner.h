@@ -113,15 +113,57 @@ V q4 q4_less(q4 a)
 	return q4_sub(a, q4_mul(q4_size(a), q4_all(0x1p-23f)));
 }
 
+V hull corners_hull(const q4 v[3])
+{
+	q4 hi = q4_max(q4_max(v[0], v[1]), v[2]);
+
+	return hull_make(q4_less(q4_min(q4_min(v[0], v[1]), v[2])), q4_less(q4_sub(q4_all(0), hi)));
+}
+
 V hull triangle_hull(const struct to_x *x, const ald_prims *p, uint32_t id)
 {
 	struct corners c;
-	q4 v[3], hi;
+	q4 v[3];
 
 	read_corners(p, id, &c);
 	corners_x(x, &c, v);
-	hi = q4_max(q4_max(v[0], v[1]), v[2]);
-	return hull_make(q4_less(q4_min(q4_min(v[0], v[1]), v[2])), q4_less(q4_sub(q4_all(0), hi)));
+	return corners_hull(v);
+}
+
+/* The bound on a weight of these corners. */
+V float corners_slack(const q4 x[3])
+{
+	float size[4] __attribute__((aligned(16)));
+	q4 d = q4_max(q4_size(q4_sub(x[0], x[1])), q4_size(q4_sub(x[1], x[2])));
+
+	q4_store(size, q4_max(d, q4_size(q4_sub(x[2], x[0]))));
+	size[0] = size[0] > size[1] ? size[0] : size[1];
+	size[0] = size[0] > size[2] ? size[0] : size[2];
+	return EDGE_ERROR * (12 * (size[0] + 4 * EDGE_ERROR) + 4 * EDGE_ERROR);
+}
+
+V void block_empty(struct block *n, q4 v[3][SEATS], unsigned i)
+{
+	n->id[i] = ALD_NONE;
+	n->slack[i] = -1;
+	v[0][i] = v[1][i] = v[2][i] = q4_all(0);
+}
+
+V void block_seat(struct block *n, q4 v[3][SEATS], unsigned i, uint32_t id, const q4 x[3])
+{
+	n->id[i] = id;
+	n->slack[i] = corners_slack(x);
+	UNROLL for (unsigned k = 0; k < 3; k++)
+		v[k][i] = x[k];
+}
+
+V void block_close(struct block *n, q4 v[3][SEATS])
+{
+	UNROLL for (unsigned k = 0; k < 3; k++) {
+		q4_turn(v[k]);
+		UNROLL for (unsigned j = 0; j < 3; j++)
+			q4_store(n->v[k][j], v[k][j]);
+	}
 }
 
 V hull prim_hull(const ald_accel *a, const struct to_x *x, const ald_prims *p, uint32_t id)

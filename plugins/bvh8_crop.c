@@ -9,3 +9,8 @@ void bvh8_crop_base(void *fast, uint32_t i)
 {
 	crop_job(fast, i);
 }
+
+size_t bvh8_desk(void)
+{
+	return sizeof(struct desk);
+}

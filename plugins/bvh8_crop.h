@@ -11,6 +11,7 @@
 
 #include "bvh8_corner.h"
 #include "bvh8_fast.h"
+#include "bvh8_fold.h"
 
 #define ROUNDS 20u
 #define REACH 8u /* neighbours to each side that are looked at */
@@ -25,6 +26,18 @@ struct row { /* trees in order; boxes have REACH wide ones before and behind the
 	float box[6][CROP + 2 * REACH] __attribute__((aligned(64))); /* low sides, and high ones negated */
 	uint32_t kid[CROP], count[CROP];
 	uint32_t n;
+};
+
+struct desk { /* 64-aligned */
+	struct ref ref[CROP]; /* as they are read, */
+	q4 corner[CROP][3]; /* and what triangles' blocks are made of */
+	struct ref sorted[CROP];
+	uint64_t key[CROP], spare[CROP]; /* in the end, below the code: which reference that is */
+	struct row row;
+	struct twig twig[2 * CROP];
+	struct sprig sprig[CROP];
+	uint8_t len[CROP]; /* of the leaf that ends with a reference */
+	uint16_t begin[CROP]; /* of leaves, from the last one */
 };
 
 /* ---- along the curve ---- */
@@ -76,39 +89,46 @@ static void sort_keys(uint64_t *key, uint64_t *spare, uint32_t n)
 		key[high[spare[i] >> (32 + LOW)]++] = spare[i];
 }
 
-/* Boxes in the order of a finer curve than that of the keys, and the keys with them. */
-static void crop_order(const struct fast *f, const struct crop *c, struct ref *ref)
+/* Boxes, and in X the corners of triangles. */
+static void crop_read(const struct builder *b, const uint64_t *key, uint32_t n, struct desk *d, struct range *r)
 {
-	const struct builder *b = f->b;
-	uint64_t *key = b->key + c->first;
-	float size[4] __attribute__((aligned(16))), most;
-	struct ref from[CROP] __attribute__((aligned(32)));
-	uint64_t spare[CROP];
 	struct to_x x = to_x(b->a);
-	struct range r;
-	struct grid g;
 
-	range_clear(&r);
-	for (uint32_t i = 0; i < c->count; i++) {
+	range_clear(r);
+	for (uint32_t i = 0; i < n; i++) {
+		uint32_t id = (uint32_t)key[i];
+		struct corners c;
 		hull h;
 
-		fetch(b->prims, key, i, c->count);
-		h = prim_hull(b->a, &x, b->prims, (uint32_t)key[i]);
-		range_add(&r, h, hull_mid(h));
-		ref_store(&from[i], h);
-		from[i].id = (uint32_t)key[i];
+		fetch(b->prims, key, i, n);
+		if (id < b->prims->tri_count) {
+			read_corners(b->prims, id, &c);
+			corners_x(&x, &c, d->corner[i]);
+			h = corners_hull(d->corner[i]);
+		} else {
+			h = prim_hull(b->a, &x, b->prims, id);
+		}
+		range_add(r, h, hull_mid(h));
+		ref_store(&d->ref[i], h);
+		d->ref[i].id = id;
 	}
-	q4_store(size, q4_sub(r.hi, r.lo));
+}
+
+/* In the order of a finer curve than that of the keys. */
+static void crop_order(struct desk *d, uint32_t n, const struct range *r)
+{
+	float size[4] __attribute__((aligned(16))), most;
+	struct grid g;
+
+	q4_store(size, q4_sub(r->hi, r->lo));
 	most = size[0] > size[1] ? size[0] : size[1];
 	most = most > size[2] ? most : size[2];
-	g = grid_of(r.lo, most, FINE);
-	for (uint32_t i = 0; i < c->count; i++)
-		key[i] = grid_key(&g, hull_mid(ref_hull(&from[i])), i);
-	sort_keys(key, spare, c->count);
-	for (uint32_t i = 0; i < c->count; i++) {
-		ref_store(&ref[i], ref_hull(&from[(uint32_t)key[i]]));
-		key[i] = ref[i].id;
-	}
+	g = grid_of(r->lo, most, FINE);
+	for (uint32_t i = 0; i < n; i++)
+		d->key[i] = grid_key(&g, hull_mid(ref_hull(&d->ref[i])), i);
+	sort_keys(d->key, d->spare, n);
+	for (uint32_t i = 0; i < n; i++)
+		ref_store(&d->sorted[i], ref_hull(&d->ref[(uint32_t)d->key[i]]));
 }
 
 /* ---- leaves ---- */
@@ -180,21 +200,65 @@ V void row_put(struct row *r, uint32_t i, hull h, uint32_t kid, uint32_t count)
 	r->count[i] = count;
 }
 
-/* From the end on, turned round, as len[] says. */
-static void row_fill(struct row *r, const struct ref *ref, uint32_t first, const uint8_t *len, uint32_t n)
+/* Where leaves begin, from the last one on; returns how many there are, and of how many triangles are no part. */
+static uint32_t crop_leaves(const struct builder *b, struct desk *d, uint32_t n, uint32_t *others)
 {
-	uint32_t leaves = 0, i;
+	uint32_t leaves = 0;
 
-	for (i = n; i; i -= len[i - 1])
-		leaves++;
-	r->n = leaves;
-	for (i = n; i; i -= len[i - 1]) {
-		uint32_t count = len[i - 1];
-		hull h = ref_hull(&ref[i - count]);
+	*others = 0;
+	for (uint32_t i = n; i; leaves++) {
+		i -= d->len[i - 1];
+		d->begin[leaves] = (uint16_t)i;
+		*others += d->sorted[i].id >= b->prims->tri_count;
+	}
+	return leaves;
+}
+
+static void crop_block(struct block *to, const struct desk *d, uint32_t first, uint32_t n)
+{
+	q4 v[3][SEATS];
+
+	UNROLL for (unsigned i = 0; i < SEATS; i++) {
+		if (i < n)
+			block_seat(to, v, i, d->sorted[first + i].id, d->corner[(uint32_t)d->key[first + i]]);
+		else
+			block_empty(to, v, i);
+	}
+	block_close(to, v);
+}
+
+/* Leaves, and what rays will go down to. */
+static void crop_fill(struct fast *f, struct crop *c, struct desk *d)
+{
+	ald_accel *a = f->b->a;
+	uint32_t others, leaves = crop_leaves(f->b, d, c->count, &others);
+	uint64_t block = atomic_fetch_add(&f->blocks, leaves - others);
+	uint64_t other = atomic_fetch_add(&f->others, 2 * (uint64_t)others);
+	int room = block + leaves - others <= f->block_room && other + 2 * others <= f->other_room;
+
+	d->row.n = c->leaves = leaves;
+	for (uint32_t i = 0; i < leaves; i++) {
+		uint32_t first = d->begin[leaves - 1 - i];
+		uint32_t count = (i + 1 < leaves ? d->begin[leaves - 2 - i] : c->count) - first, kid;
+		hull h = ref_hull(&d->sorted[first]);
 
 		for (uint32_t j = 1; j < count; j++)
-			h = hull_join(h, ref_hull(&ref[i - count + j]));
-		row_put(r, --leaves, h, first + i - count, count);
+			h = hull_join(h, ref_hull(&d->sorted[first + j]));
+		c->cost += (double)hull_area(h);
+		if (d->sorted[first].id >= f->b->prims->tri_count) {
+			kid = REF_OTHERS | (uint32_t)other;
+			if (room) {
+				a->other[other] = 1;
+				a->other[other + 1] = d->sorted[first].id;
+			}
+			other += 2;
+		} else {
+			kid = REF_LEAF | (uint32_t)block;
+			if (room)
+				crop_block(&a->block[block], d, first, count);
+			block++;
+		}
+		row_put(&d->row, i, h, kid, count);
 	}
 }
 
@@ -314,45 +378,55 @@ static uint32_t row_reduce(struct row *r, struct twig *twig, uint32_t kids)
 
 /* ---- a job ---- */
 
-static void crop_seat(const struct fast *f, const struct crop *c, uint32_t i, const struct row *r, uint32_t kids)
+/* What is left are tips; their nodes to where rays find them. */
+static void crop_fold(struct fast *f, struct crop *c, struct desk *d, uint32_t kids)
+{
+	struct twig *tip = &f->tip[TIPS * (c - f->crop)];
+	struct folded o = { .sprig = d->sprig };
+	uint32_t root = kids;
+	uint64_t first;
+
+	for (uint32_t k = 0; k < d->row.n; k++) {
+		put_twig(&tip[k], &d->row, k);
+		if (tip[k].count) {
+			tip[k].count = 1;
+			continue;
+		}
+		put_twig(&d->twig[kids], &d->row, k);
+		fold(&o, d->twig, kids++);
+		tip[k].count = 1 + o.depth;
+	}
+	c->tips = d->row.n;
+	c->cost += o.area;
+	first = atomic_fetch_add(&f->nodes, o.n);
+	for (uint32_t i = 0; i < o.n && first + o.n <= f->node_room; i++)
+		fold_node(&f->b->a->node[first + i], d->twig, &d->sprig[i], (uint32_t)first);
+	for (uint32_t k = 0; k < d->row.n; k++) {
+		if (tip[k].count > 1)
+			tip[k].kid = (uint32_t)first + d->twig[root++].kid;
+	}
+}
+
+static void crop_make(struct fast *f, struct crop *c, struct desk *d)
 {
 	struct builder *b = f->b;
-	struct seat *seat = b->seat + (size_t)b->twigs_a_ref * c->first / 2;
+	struct range r;
 
-	for (uint32_t k = 0; k < r->n; k++) {
-		struct part *p = &b->part[1 + TIPS * i + k];
-
-		put_twig(&f->tip[TIPS * i + k], r, k);
-		*p = (struct part){ .seat = seat };
-		if (r->count[k])
-			continue;
-		put_twig(&b->twig[kids], r, k);
-		bvh8_seat(b, p, kids++);
-		seat += p->seats;
-	}
+	c->cost = 0;
+	crop_read(b, b->key + c->first, c->count, d, &r);
+	crop_order(d, c->count, &r);
+	crop_cut(b, d->sorted, c->count, d->len);
+	crop_fill(f, c, d);
+	crop_fold(f, c, d, row_reduce(&d->row, d->twig, 0));
 }
 
 static void crop_job(void *arg, uint32_t i)
 {
-	const struct fast *f = arg;
-	struct builder *b = f->b;
-	struct crop *c = &f->crop[i];
-	uint32_t kids = b->twigs_a_ref * c->first;
-	struct ref ref[CROP] __attribute__((aligned(32)));
-	uint8_t len[CROP];
-	struct row row;
+	struct fast *f = arg;
+	uint32_t k;
 
-	crop_order(f, c, ref);
-	crop_cut(b, ref, c->count, len);
-	row_fill(&row, ref, c->first, len, c->count);
-	if (b->twigs_a_ref == 1 && 2 * row.n > c->count + TIPS / 2) { /* more twigs than there is room for */
-		for (uint32_t k = 0; k < c->count; k++)
-			len[k] = (uint8_t)(k % SEATS + 1);
-		row_fill(&row, ref, c->first, len, c->count);
-	}
-	kids = row_reduce(&row, b->twig, kids);
-	crop_seat(f, c, i, &row, kids);
-	c->tips = row.n;
+	while ((k = atomic_fetch_add(&f->next, 1)) < f->crops)
+		crop_make(f, &f->crop[k], (struct desk *)f->desk + i);
 }
 
 #endif

@@ -3,18 +3,19 @@
  *
  * bvh8's fast builder. References are sorted by which of 2^21 cells they are in, along a Morton curve (Lauterbach
  * and others: Fast BVH Construction on GPUs, 2009), and where too many are in one cell, that again, by its own cells.
- * Runs of whole cells are crops, of which each is a job (bvh8_crop.h) that leaves a few trees; over these goes a top
- * by the surface area heuristic (Garanzha, Pantaleoni, McAllister: Simpler and Faster HLBVH with Work Queues, 2011).
- * Nothing depends on the number of threads: sorting is stable, and what is one job is not decided by it.
+ * Runs of whole cells are crops, of which each is made a few trees (bvh8_crop.h), and these one (bvh8_crown.c).
+ * Nothing depends on the number of threads but where in memory what one crop has been made stands: sorting is stable,
+ * and what is one crop is not decided by it.
  */
 #include "bvh8_corner.h"
 #include "bvh8_fast.h"
-#include "bvh8_part.h"
 
 #define PIECE 32768u /* references that one job looks at together */
 #define LOW_BITS 11u /* of a code, sorted first */
 #define HIGH_BITS 10u
 #define ZOOMS 6u /* cells in cells */
+#define BLOCKS_MORE 1.5 /* room for blocks, to what full ones would take; they are 1.2 to 1.5 times as many */
+#define NODES_MORE 0.34 /* and for nodes, to that; there are 0.27 to 0.32 to a block */
 
 struct sorter {
 	const struct fast *f;
@@ -210,148 +211,136 @@ static int make_crops(struct fast *f, uint32_t first, uint32_t n, uint32_t round
 	return status;
 }
 
-/* ---- the top ---- */
-
-struct crown {
-	struct builder *b;
-	const struct twig *tip;
-	uint32_t twigs; /* where the next two go */
-	uint32_t steep; /* levels after which ranges are halved, so that no tree is deeper than LEVELS_MAX */
-};
-
-/* id: of a reference, the part which it stands for. */
-static void crown_grow(struct crown *c, struct ref *ref, struct range *r)
-{
-	struct builder *b = c->b;
-	struct range left = *r, right = *r;
-	struct split s = { FAR, 3, 0 };
-	struct bins bins;
-	uint32_t at = 0, kid = c->twigs;
-
-	if (r->count == 1) {
-		b->twig[r->twig] = c->tip[ref->id];
-		b->part[1 + ref->id].twig = r->twig;
-		return;
-	}
-	if (r->depth < c->steep) {
-		bins_begin(&bins, r);
-		bins_add(&bins, ref, r->count);
-		s = best_split(&bins);
-	}
-	if (s.axis < 3)
-		at = part(ref, r->count, &bins, &s, &left, &right);
-	if (!at || at == r->count) {
-		at = r->count / 2;
-		halve(ref, r->count, at, r);
-		measure(ref, at, &left);
-		measure(ref + at, r->count - at, &right);
-	}
-	set_twig(&b->twig[r->twig], r, kid, 0);
-	c->twigs += 2;
-	left.count = at;
-	right.count = r->count - at;
-	left.twig = kid;
-	right.twig = kid + 1;
-	left.depth = right.depth = r->depth + 1;
-	crown_grow(c, ref, &left);
-	crown_grow(c, ref + at, &right);
-}
-
-/* Tips together, parts with them. */
-static uint32_t gather(struct fast *f)
-{
-	struct builder *b = f->b;
-	uint32_t n = 0;
-
-	for (uint32_t i = 0; i < f->crops; i++) {
-		for (uint32_t k = 0; k < f->crop[i].tips; k++, n++) {
-			f->tip[n] = f->tip[TIPS * i + k];
-			b->part[1 + n] = b->part[1 + TIPS * i + k];
-		}
-	}
-	return n;
-}
-
-static int crown(struct fast *f)
-{
-	struct builder *b = f->b;
-	const ald_host *h = b->host;
-	struct crown c = { .b = b, .tip = f->tip, .twigs = b->root + 1, .steep = LEVELS_MAX - DEEP };
-	struct range root = { .twig = b->root };
-	struct ref *ref;
-
-	b->tasks = root.count = gather(f);
-	ref = bvh8_take(h, root.count, sizeof(*ref), "bvh8: building");
-	if (!ref)
-		return ALD_NO_MEMORY;
-	for (uint32_t i = 0; i < root.count; i++) {
-		ref[i].id = i;
-		ref[i].zero = 0;
-		for (unsigned k = 0; k < 3; k++) {
-			ref[i].lo[k] = f->tip[i].lo[k];
-			ref[i].minus_hi[k] = -f->tip[i].hi[k];
-		}
-	}
-	for (uint32_t n = root.count; n; n /= 2)
-		c.steep -= c.steep > 0;
-	measure(ref, root.count, &root);
-	b->whole = hull_area(root.box) > 0 ? hull_area(root.box) : 1;
-	crown_grow(&c, ref, &root);
-	b->top = (c.twigs - b->root - 1) / 2;
-	h->free(h->ctx, ref);
-	return ALD_OK;
-}
-
-/* What does not depend on how many crops there will be. The room of seats serves for sorting before. */
+/* What does not depend on how many crops there will be. */
 static int take_first(struct fast *f)
 {
 	struct builder *b = f->b;
 	const ald_host *h = b->host;
-	int one = b->value[P_LEAF] < SEATS || b->prims->tri_count < b->prims->count;
 
-	b->twigs_a_ref = one ? 2 : 1;
-	if (b->refs > UINT32_MAX / 4)
-		return ALD_NO_MEMORY;
-	b->root = b->twigs_a_ref * b->refs;
 	f->room = 2 * (b->refs / CROP) + 8;
 	f->crop = bvh8_take(h, f->room, sizeof(*f->crop), "bvh8: building");
-	b->seat = bvh8_take(h, (b->root + 1) / 2, sizeof(*b->seat), "bvh8: building");
-	f->spare = (uint64_t *)(void *)b->seat;
-	return f->crop && b->seat ? ALD_OK : ALD_NO_MEMORY;
+	f->spare = bvh8_take(h, b->refs, sizeof(*f->spare), "bvh8: building");
+	return f->crop && f->spare ? ALD_OK : ALD_NO_MEMORY;
 }
 
-static int take_rest(struct fast *f)
+static int take_rest(struct fast *f, size_t desk)
+{
+	const ald_host *h = f->b->host;
+
+	f->tip = bvh8_take(h, TIPS * (uint64_t)f->crops, sizeof(*f->tip), "bvh8: building");
+	f->desk = bvh8_take(h, h->threads, desk, "bvh8: building");
+	return f->tip && f->desk ? ALD_OK : ALD_NO_MEMORY;
+}
+
+static int take_tree(struct fast *f)
+{
+	ald_accel *a = f->b->a;
+	const ald_host *h = f->b->host;
+
+	a->node = bvh8_take(h, f->node_room, sizeof(*a->node), "bvh8: nodes");
+	a->block = bvh8_take(h, f->block_room, sizeof(*a->block), "bvh8: triangles");
+	a->other = bvh8_take(h, f->other_room, sizeof(*a->other), "bvh8: references");
+	return a->node && a->block && a->other ? ALD_OK : ALD_NO_MEMORY;
+}
+
+/* One try, with the room that there is. */
+static int grow(struct fast *f, void (*crop)(void *fast, uint32_t desk))
+{
+	const ald_host *h = f->b->host;
+	int status = take_tree(f);
+
+	f->next = 0;
+	f->nodes = f->blocks = f->others = 0;
+	if (status)
+		return status;
+	h->parallel(h->ctx, h->threads, crop, f);
+	return h->progress(h->ctx, 0.8) ? ALD_CANCELLED : bvh8_crown(f);
+}
+
+static int fits(const struct fast *f)
+{
+	return f->nodes <= f->node_room && f->blocks <= f->block_room && f->others <= f->other_room;
+}
+
+/* The tree's memory is taken before it is known how much of it is needed: for what most meshes take, and some. If
+ * that is not enough, all there is to know is how much would have been. */
+static int grow_twice(struct fast *f, void (*crop)(void *fast, uint32_t desk))
+{
+	const struct builder *b = f->b;
+	const ald_host *h = b->host;
+	ald_accel *a = b->a;
+	double most = b->value[P_LEAF] < SEATS ? 1 / b->value[P_LEAF] : 1.0 / SEATS;
+	uint64_t others = b->prims->count - b->prims->tri_count;
+	int status;
+
+	f->block_room = (uint64_t)(BLOCKS_MORE * most * b->refs) + 16;
+	f->node_room = (uint64_t)(NODES_MORE * (double)(f->block_room + others)) + 16;
+	f->other_room = 2 * others;
+	status = grow(f, crop);
+	if (status || fits(f))
+		return status;
+	h->free(h->ctx, a->node);
+	h->free(h->ctx, a->block);
+	h->free(h->ctx, a->other);
+	a->node = NULL;
+	a->block = NULL;
+	a->other = NULL;
+	f->block_room = f->blocks;
+	f->node_room = f->nodes;
+	f->other_room = f->others;
+	if (f->nodes >= REF_LEAF || f->blocks > REF_INDEX || f->others > REF_INDEX)
+		return ALD_NO_MEMORY;
+	return grow(f, crop);
+}
+
+static void trim(const struct fast *f, void *p, uint64_t n, size_t each)
+{
+	const ald_host *h = f->b->host;
+
+	if (h->size > offsetof(ald_host, trim) && h->trim)
+		h->trim(h->ctx, p, n * each);
+}
+
+static void tell(const struct fast *f)
 {
 	struct builder *b = f->b;
-	const ald_host *h = b->host;
-	uint64_t tips = TIPS * (uint64_t)f->crops;
+	ald_accel *a = b->a;
 
-	b->twig = bvh8_take(h, b->root + 2 * tips, sizeof(*b->twig), "bvh8: building");
-	b->top_seat = bvh8_take(h, tips, sizeof(*b->top_seat), "bvh8: building");
-	b->part = bvh8_take(h, tips + 1, sizeof(*b->part), "bvh8: building");
-	f->tip = bvh8_take(h, tips, sizeof(*f->tip), "bvh8: building");
-	if (!b->twig || !b->top_seat || !b->part || !f->tip)
-		return ALD_NO_MEMORY;
-	b->part[0] = (struct part){ .seat = b->top_seat };
-	return ALD_OK;
+	trim(f, a->node, f->nodes, sizeof(*a->node));
+	trim(f, a->block, f->blocks, sizeof(*a->block));
+	trim(f, a->other, f->others, sizeof(*a->other));
+	a->nodes = (uint32_t)f->nodes;
+	a->blocks = (uint32_t)f->blocks;
+	a->others = (uint32_t)f->others;
+	a->refs = b->refs;
+	a->bytes += a->nodes * sizeof(*a->node) + a->blocks * sizeof(*a->block) + a->others * sizeof(*a->other);
+	for (uint32_t i = 0; i < f->crops; i++) {
+		a->leaves += f->crop[i].leaves;
+		a->cost += f->crop[i].cost / (double)b->whole;
+	}
 }
 
-int bvh8_fast(struct builder *b, void (*crop)(void *fast, uint32_t i))
+int bvh8_fast(struct builder *b, void (*crop)(void *fast, uint32_t desk), size_t desk)
 {
 	const ald_host *h = b->host;
 	struct fast f = { .b = b };
-	int status = take_first(&f);
+	int status;
 
+	b->a->root = EMPTY;
+	if (!b->refs)
+		return ALD_OK;
+	status = take_first(&f);
 	if (!status)
 		status = make_crops(&f, 0, b->refs, 0);
+	h->free(h->ctx, f.spare);
 	if (!status)
-		status = take_rest(&f);
-	if (!status) {
-		h->parallel(h->ctx, f.crops, crop, &f);
-		if (f.crops)
-			status = crown(&f);
-	}
+		status = take_rest(&f, desk);
+	if (!status)
+		status = grow_twice(&f, crop);
+	if (!status)
+		tell(&f);
 	h->free(h->ctx, f.crop);
 	h->free(h->ctx, f.tip);
+	h->free(h->ctx, f.desk);
 	return status;
 }

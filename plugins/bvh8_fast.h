@@ -1,22 +1,25 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * bvh8's fast builder: what bvh8_fast.c, which puts references in order and joins the trees of single jobs, and
- * bvh8_crop.h, which makes those, know of each other.
+ * bvh8's fast builder: what bvh8_fast.c, which puts references in order, bvh8_crop.h, which makes trees of some
+ * thousands, and bvh8_crown.c, which makes one of these, know of each other.
  */
 #ifndef BVH8_FAST_H
 #define BVH8_FAST_H
 
+#include <stdatomic.h>
+
 #include "bvh8_hull.h"
 
-#define CROP 2048u /* references that one job makes trees of, at most */
+#define CROP 2048u /* references that one tree is made of, at most */
 #define CELLS 128.0f /* to a side, to sort all by */
-#define TIPS 16u /* trees that it leaves, at most, */
+#define TIPS 16u /* trees that a crop leaves, at most, */
 #define DEEP 28u /* and how many levels they have */
 
 struct crop {
-	uint32_t first, count; /* of the keys, and of the references in order */
-	uint32_t tips;
+	uint32_t first, count; /* of the keys */
+	uint32_t tips, leaves;
+	double cost; /* areas of nodes and of blocks */
 };
 
 struct fast {
@@ -24,8 +27,16 @@ struct fast {
 	uint64_t *spare; /* of keys, for sorting */
 	struct crop *crop;
 	uint32_t crops, room;
-	struct twig *tip; /* [TIPS * crops] roots */
+	/* [TIPS * crops] roots of trees that are done: kid is what rays go down to, count its levels and 1 */
+	struct twig *tip;
+	void *desk; /* where one thread makes trees, one for each */
+	_Atomic uint32_t next; /* the crop that nobody has begun yet */
+	/* What was asked for so far; there is room for less, perhaps, and then nothing is written behind it. */
+	_Atomic uint64_t nodes, blocks, others;
+	uint64_t node_room, block_room, other_room;
 };
+
+int bvh8_crown(struct fast *); /* from tips to the root */
 
 struct grid { /* of middles, doubled */
 	q4 lo, scale;

@@ -118,7 +118,7 @@ static void open_again(const struct widener *w, const struct part *p, const stru
 
 V uint32_t id_of(const struct builder *b, uint32_t ref)
 {
-	return b->key ? (uint32_t)b->key[ref] : b->id[ref];
+	return b->id[ref];
 }
 
 static int holds_others(const struct builder *b, const struct twig *t)
@@ -215,35 +215,21 @@ void bvh8_seat(struct builder *b, struct part *p, uint32_t root)
 static void fill_block(const struct builder *b, struct block *n, uint32_t ref, uint32_t count)
 {
 	struct to_x to = to_x(b->a);
-	q4 v[3][4];
+	q4 v[3][SEATS];
 
 	UNROLL for (unsigned i = 0; i < SEATS; i++) {
-		float size[4] __attribute__((aligned(16)));
 		struct corners c;
-		q4 x[3], d;
+		q4 x[3];
 
 		if (i >= count) {
-			n->id[i] = ALD_NONE;
-			n->slack[i] = -1;
-			v[0][i] = v[1][i] = v[2][i] = q4_all(0);
+			block_empty(n, v, i);
 			continue;
 		}
-		n->id[i] = id_of(b, ref + i);
-		read_corners(b->prims, n->id[i], &c);
+		read_corners(b->prims, id_of(b, ref + i), &c);
 		corners_x(&to, &c, x);
-		d = q4_max(q4_size(q4_sub(x[0], x[1])), q4_size(q4_sub(x[1], x[2])));
-		q4_store(size, q4_max(d, q4_size(q4_sub(x[2], x[0]))));
-		size[0] = size[0] > size[1] ? size[0] : size[1];
-		size[0] = size[0] > size[2] ? size[0] : size[2];
-		n->slack[i] = EDGE_ERROR * (12 * (size[0] + 4 * EDGE_ERROR) + 4 * EDGE_ERROR);
-		UNROLL for (unsigned k = 0; k < 3; k++)
-			v[k][i] = x[k];
+		block_seat(n, v, i, id_of(b, ref + i), x);
 	}
-	UNROLL for (unsigned k = 0; k < 3; k++) {
-		q4_turn(v[k]);
-		UNROLL for (unsigned j = 0; j < 3; j++)
-			q4_store(n->v[k][j], v[k][j]);
-	}
+	block_close(n, v);
 }
 
 static void fill_leaf(const struct builder *b, uint32_t ref, const struct twig *t)
@@ -308,7 +294,7 @@ static void fetch_leaves(const struct builder *b, const struct opened *o, unsign
 			uint32_t ref = t->kid + i, id;
 
 			if (!step) {
-				__builtin_prefetch(b->key ? (const void *)&b->key[ref] : &b->id[ref]);
+				__builtin_prefetch(&b->id[ref]);
 			} else if ((id = id_of(b, ref)) < p->tri_count) {
 				const uint32_t *v = p->index + 3 * (size_t)id;
 

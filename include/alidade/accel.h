@@ -113,6 +113,9 @@ typedef struct {
 	/* Beyond an older host's size: 0. About how many rays will be asked of what is built, for choosing how long
 	 * to build; 0: not known. What is found may not depend on it. */
 	double rays;
+	/* Beyond an older host's size, or NULL: there is none. Of p, of alloc(), only the first bytes have been written
+	 * and will be used: the rest is not accounted any more. p stays where it is. */
+	void (*trim)(void *ctx, void *p, size_t bytes);
 } ald_host;
 
 typedef struct { /* bytes of the host's, and of libraries that are accounted */

@@ -23,6 +23,12 @@ static void host_free(void *ctx, void *p)
 	mem_free(p);
 }
 
+static void host_trim(void *ctx, void *p, size_t bytes)
+{
+	(void)ctx;
+	mem_trim(p, bytes);
+}
+
 struct job {
 	void (*run)(void *arg, uint32_t i);
 	void *arg;
@@ -84,7 +90,8 @@ void accel_host_init(struct accel_host *h, struct mem_book *book, struct pool *p
 					    .parallel = host_parallel,
 					    .progress = host_progress,
 					    .log = host_log,
-					    .account = host_account },
+					    .account = host_account,
+					    .trim = host_trim },
 				  .book = book,
 				  .pool = pool,
 				  .diag = diag,

@@ -121,6 +121,18 @@ void *mem_realloc(void *p, size_t bytes)
 	return q;
 }
 
+void mem_trim(void *p, size_t bytes)
+{
+	struct block *b = (struct block *)((char *)p - ALIGN);
+	struct block rest = *b;
+
+	if (bytes >= b->bytes)
+		return;
+	rest.bytes -= bytes;
+	b->bytes = bytes;
+	book_sub(&rest);
+}
+
 void mem_free(void *p)
 {
 	struct block *b;

@@ -38,6 +38,8 @@ void *mem_alloc(struct mem_book *, const char *purpose, size_t bytes);
 void *mem_zalloc(struct mem_book *, const char *purpose, size_t bytes);
 /* Like realloc; the block keeps its purpose. p may not be NULL. NULL: the old block is still there. */
 void *mem_realloc(void *p, size_t bytes);
+/* The rest of p was never written, nor will it be: it is not booked any more. */
+void mem_trim(void *p, size_t bytes);
 void mem_free(void *p);
 
 /* Book memory that others hand out, or have taken back (bytes < 0). false: over the limit, not booked. */

@@ -358,6 +358,12 @@ static void host_log(void *ctx, int level, const char *text)
 	(void)text;
 }
 
+static void host_trim(void *ctx, void *p, size_t bytes)
+{
+	(void)ctx;
+	mem_trim(p, bytes);
+}
+
 static int host_account(void *ctx, int64_t bytes, const char *what)
 {
 	return mem_account_foreign(&((struct test_host *)ctx)->book, what, bytes);
@@ -379,6 +385,7 @@ void test_host_init(struct test_host *h, uint32_t threads, uint64_t limit)
 		.progress = host_progress,
 		.log = host_log,
 		.account = host_account,
+		.trim = host_trim,
 	};
 }
 

@@ -51,7 +51,7 @@ struct outer {
 	uint32_t id[6]; /* low sides, high sides */
 };
 
-static void outer_add(struct outer *o, const struct corners *v, uint32_t id)
+V void outer_add(struct outer *o, const struct corners *v, uint32_t id)
 {
 	d2 lo_xy = d2_min(d2_min(v->xy[0], v->xy[1]), v->xy[2]), lo_z = d2_min(d2_min(v->z[0], v->z[1]), v->z[2]);
 	d2 hi_xy = d2_max(d2_max(v->xy[0], v->xy[1]), v->xy[2]), hi_z = d2_max(d2_max(v->z[0], v->z[1]), v->z[2]);
@@ -73,7 +73,7 @@ static void outer_add(struct outer *o, const struct corners *v, uint32_t id)
 }
 
 /* 0: it can't be hit: some number is none, or two corners are one, and no line meets that. */
-static int can_be_hit(const struct corners *c)
+V int can_be_hit(const struct corners *c)
 {
 	unsigned number = 3;
 	d2 none = d2_two(0, 0);

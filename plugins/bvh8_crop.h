@@ -48,13 +48,13 @@ V void fetch(const ald_prims *p, const uint64_t *key, uint32_t i, uint32_t n)
 	size_t each = p->vertex_double ? 24 : 12;
 	uint32_t id;
 
-	if (i + 24 < n) {
-		id = (uint32_t)key[i + 24];
+	if (i + 40 < n) {
+		id = (uint32_t)key[i + 40];
 		if (id < p->tri_count)
 			__builtin_prefetch(p->index + 3 * (size_t)id);
 	}
-	if (i + 12 < n) {
-		id = (uint32_t)key[i + 12];
+	if (i + 16 < n) {
+		id = (uint32_t)key[i + 16];
 		for (unsigned k = 0; k < 3 && id < p->tri_count; k++)
 			__builtin_prefetch((const char *)p->vertex + each * p->index[3 * (size_t)id + k]);
 	}
@@ -152,38 +152,33 @@ static void crop_cut(const struct builder *b, const struct ref *ref, uint32_t n,
 {
 	uint32_t tris = b->prims->tri_count, most = (uint32_t)b->value[P_LEAF], run = 0;
 	int mixed = tris < b->prims->count;
-	float b0 = 0, b1 = FAR, b2 = FAR, b3 = FAR; /* best of what ends one, two, three and four before */
-	float not[4]; /* FAR: no such leaf */
+	float none[4] __attribute__((aligned(16))); /* FAR: no such leaf */
+	float first[4] __attribute__((aligned(16))) = { 0, FAR, FAR, FAR };
+	q4 not, best = q4_load(first); /* of what ends one, two, three and four before */
 	hull h[4] = { hull_none(), hull_none(), hull_none(), hull_none() };
 
 	for (unsigned k = 0; k < 4; k++)
-		not[k] = k < most ? 0 : FAR;
+		none[k] = k < most ? 0 : FAR;
+	not = q4_load(none);
 	for (uint32_t i = 0; i < n; i++) {
 		hull one = ref_hull(&ref[i]);
-		float a[4] __attribute__((aligned(16))), c0, c1, c2, c3, least;
+		q4 a, c, least;
 
 		h[3] = hull_join(h[2], one);
 		h[2] = hull_join(h[1], one);
 		h[1] = hull_join(h[0], one);
 		h[0] = one;
-		q4_store(a, areas_of(h[0], h[1], h[2], h[3]));
+		a = areas_of(h[0], h[1], h[2], h[3]);
 		if (mixed) {
 			run = ref[i].id >= tris ? 0 : run + 1;
 			for (unsigned k = 1; k < 4; k++)
-				not[k] = k < most && k < run ? 0 : FAR;
+				none[k] = k < most && k < run ? 0 : FAR;
+			not = q4_load(none);
 		}
-		c1 = a[1] + not[1] + b1;
-		c2 = a[2] + not[2] + b2;
-		c3 = a[3] + not[3] + b3;
-		c0 = a[0] + b0;
-		least = lesser(lesser(c1, c2), c3);
-		least = lesser(c0, least);
-		len[i] = (uint8_t)(1 + (c0 > least) + ((c0 > least) & (c1 > least)) +
-				   ((c0 > least) & (c1 > least) & (c2 > least)));
-		b3 = b2;
-		b2 = b1;
-		b1 = b0;
-		b0 = least + PENALTY * a[3];
+		c = q4_add(q4_add(a, not), best);
+		least = q4_least(c);
+		len[i] = (uint8_t)(1 + __builtin_ctz(q4_same(c, least) | 8));
+		best = q4_push(best, q4_add(least, q4_mul(q4_all(PENALTY), q4_last(a))));
 	}
 }
 

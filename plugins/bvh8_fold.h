@@ -36,54 +36,56 @@ V float twig_area(const struct twig *t)
 	return q4_area(q4_sub(twig_hi(t), twig_lo(t)));
 }
 
-/* Which of the eight is the largest, the first of them. */
-V unsigned fold_largest(const float size[WIDTH])
-{
-	q4 a = q4_load(size), b = q4_load(size + 4), most = q4_most(q4_max(a, b));
-
-	return (unsigned)__builtin_ctz(q4_same(a, most) | q4_same(b, most) << 4 | 1u << WIDTH);
-}
-
-struct unfolded {
-	float size[WIDTH] __attribute__((aligned(32))), open[WIDTH] __attribute__((aligned(32)));
+struct unfolded { /* children in the making; size and open are below 0 where there is none, or none to open */
+	q4 size[2], open[2];
 	uint32_t kid[WIDTH], n;
 };
 
 V void fold_add(struct unfolded *o, const struct twig *twig, uint32_t i, uint32_t kid)
 {
+	static const uint32_t lane[2 * WIDTH] = { [WIDTH] = UINT32_MAX };
+	float area = twig_area(&twig[kid]);
+	q4 size = q4_all(area), open = q4_all(twig[kid].count ? -1 : area);
+
 	o->kid[i] = kid;
-	o->size[i] = twig_area(&twig[kid]);
-	o->open[i] = twig[kid].count ? -1 : o->size[i];
+	UNROLL for (unsigned half = 0; half < 2; half++) {
+		const uint32_t *mask = &lane[WIDTH - i + 4 * half];
+
+		o->size[half] = q4_put(o->size[half], size, mask);
+		o->open[half] = q4_put(o->open[half], open, mask);
+	}
 }
 
-/* The largest are opened until there are eight; then in the order of size. */
+/* The largest are opened, of equal ones the first, until there are eight; then in the order of size. */
 static void fold_open(const struct twig *twig, uint32_t root, uint32_t out[WIDTH])
 {
 	struct unfolded o;
 	uint32_t next = twig[root].kid;
-	q4 a, b;
+	float size[WIDTH] __attribute__((aligned(16)));
 
-	for (unsigned k = 0; k < WIDTH; k++) {
-		o.size[k] = o.open[k] = -1;
+	o.size[0] = o.size[1] = o.open[0] = o.open[1] = q4_all(-1);
+	for (unsigned k = 0; k < WIDTH; k++)
 		out[k] = EMPTY;
-	}
 	fold_add(&o, twig, 0, next);
 	fold_add(&o, twig, 1, next + 1);
 	for (o.n = 2; o.n < WIDTH; o.n++) {
-		unsigned best = fold_largest(o.open);
+		q4 most = q4_most(q4_max(o.open[0], o.open[1]));
+		unsigned best;
 
-		if (o.open[best] < 0)
+		if (!q4_above(most, q4_all(-0.5f)))
 			break;
+		best = (unsigned)__builtin_ctz(q4_same(o.open[0], most) | q4_same(o.open[1], most) << 4 | 1u << WIDTH);
+		best = best < WIDTH ? best : 0;
 		next = twig[o.kid[best]].kid;
 		fold_add(&o, twig, best, next);
 		fold_add(&o, twig, o.n, next + 1);
 	}
-	a = q4_load(o.size);
-	b = q4_load(o.size + 4);
+	q4_store(size, o.size[0]);
+	q4_store(size + 4, o.size[1]);
 	for (uint32_t i = 0; i < o.n; i++) {
-		q4 x = q4_all(o.size[i]);
-		unsigned before = (1u << i) - 1, same = q4_same(a, x) | q4_same(b, x) << 4;
-		unsigned above = q4_above(a, x) | q4_above(b, x) << 4;
+		q4 x = q4_all(size[i]);
+		unsigned before = (1u << i) - 1, same = q4_same(o.size[0], x) | q4_same(o.size[1], x) << 4;
+		unsigned above = q4_above(o.size[0], x) | q4_above(o.size[1], x) << 4;
 
 		out[__builtin_popcount(above | (same & before))] = o.kid[i];
 	}
@@ -129,8 +131,12 @@ static void fold(struct folded *f, struct twig *twig, uint32_t root)
 /* first: where the first sprig's node is. */
 static void fold_node(struct node *n, const struct twig *twig, const struct sprig *s, uint32_t first)
 {
-	static const struct twig none __attribute__((aligned(32))) = { .lo = { INFINITY, INFINITY, INFINITY }, .kid = EMPTY,
-					  .hi = { -INFINITY, -INFINITY, -INFINITY }, .count = 1 };
+	static const struct twig none __attribute__((aligned(32))) = {
+		.lo = { INFINITY, INFINITY, INFINITY },
+		.kid = EMPTY,
+		.hi = { -INFINITY, -INFINITY, -INFINITY },
+		.count = 1,
+	};
 
 	for (unsigned half = 0; half < WIDTH; half += 4) {
 		q4 lo[4], hi[4];

@@ -41,6 +41,23 @@ V q4 q4_most(q4 a)
 	a = _mm_max_ps(a, _mm_shuffle_ps(a, a, 0x4e));
 	return _mm_max_ps(a, _mm_shuffle_ps(a, a, 0xb1));
 }
+/* The least, in all four. */
+V q4 q4_least(q4 a)
+{
+	a = _mm_min_ps(a, _mm_shuffle_ps(a, a, 0x4e));
+	return _mm_min_ps(a, _mm_shuffle_ps(a, a, 0xb1));
+}
+/* The last lane, in all four. */
+V q4 q4_last(q4 a) { return _mm_shuffle_ps(a, a, 0xff); }
+/* Each lane one further up, and below them b's first. */
+V q4 q4_push(q4 a, q4 b) { return _mm_move_ss(_mm_shuffle_ps(a, a, 0x90), b); }
+/* b where the mask, of all ones or zeros, says so. */
+V q4 q4_put(q4 a, q4 b, const uint32_t mask[4])
+{
+	q4 m = _mm_loadu_ps((const float *)(const void *)mask);
+
+	return _mm_or_ps(_mm_and_ps(m, b), _mm_andnot_ps(m, a));
+}
 V void q4_turn(q4 a[4]) { _MM_TRANSPOSE4_PS(a[0], a[1], a[2], a[3]); }
 #else
 typedef struct {
@@ -65,6 +82,18 @@ V q4 q4_most(q4 a)
 {
 	EACHQ a.x[0] = a.x[0] > a.x[i] ? a.x[0] : a.x[i];
 	return q4_all(a.x[0]);
+}
+V q4 q4_least(q4 a)
+{
+	EACHQ a.x[0] = a.x[0] < a.x[i] ? a.x[0] : a.x[i];
+	return q4_all(a.x[0]);
+}
+V q4 q4_last(q4 a) { return q4_all(a.x[3]); }
+V q4 q4_push(q4 a, q4 b) { return (q4){ { b.x[0], a.x[0], a.x[1], a.x[2] } }; }
+V q4 q4_put(q4 a, q4 b, const uint32_t mask[4])
+{
+	EACHQ a.x[i] = mask[i] ? b.x[i] : a.x[i];
+	return a;
 }
 V void q4_turn(q4 a[4])
 {

@@ -14,8 +14,6 @@
 #define LOW_BITS 11u /* of a code, sorted first */
 #define HIGH_BITS 10u
 #define ZOOMS 6u /* cells in cells */
-#define BLOCKS_MORE 1.5 /* room for blocks, to what full ones would take; they are 1.2 to 1.5 times as many */
-#define NODES_MORE 0.34 /* and for nodes, to that; there are 0.27 to 0.32 to a block */
 
 struct sorter {
 	const struct fast *f;
@@ -269,20 +267,15 @@ static int fits(const struct fast *f)
 	return f->nodes <= f->node_room && f->blocks <= f->block_room && f->others <= f->other_room;
 }
 
-/* The tree's memory is taken before it is known how much of it is needed: for what most meshes take, and some. If
- * that is not enough, all there is to know is how much would have been. */
+/* Where there is too little room, all there is to know is how much would have been enough. */
 static int grow_twice(struct fast *f, void (*crop)(void *fast, uint32_t desk))
 {
 	const struct builder *b = f->b;
 	const ald_host *h = b->host;
 	ald_accel *a = b->a;
-	double most = b->value[P_LEAF] < SEATS ? 1 / b->value[P_LEAF] : 1.0 / SEATS;
-	uint64_t others = b->prims->count - b->prims->tri_count;
 	int status;
 
-	f->block_room = (uint64_t)(BLOCKS_MORE * most * b->refs) + 16;
-	f->node_room = (uint64_t)(NODES_MORE * (double)(f->block_room + others)) + 16;
-	f->other_room = 2 * others;
+	fast_room(b, &f->node_room, &f->block_room, &f->other_room);
 	status = grow(f, crop);
 	if (status || fits(f))
 		return status;

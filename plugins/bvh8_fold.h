@@ -7,11 +7,7 @@
 #ifndef BVH8_FOLD_H
 #define BVH8_FOLD_H
 
-#include "bvh8_hull.h"
-
-struct sprig { /* a node in the making: its children, the largest first; EMPTY: none */
-	uint32_t kid[WIDTH];
-};
+#include "bvh8_fast.h"
 
 struct folded {
 	struct sprig *sprig;

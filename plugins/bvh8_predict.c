@@ -78,14 +78,17 @@ static void predict_sah(struct builder *b, const struct sample *s, double others
 static void predict_fast(const struct builder *b, double others, ald_memory *out)
 {
 	unsigned leaf = b->value[P_LEAF] < SEATS ? (unsigned)b->value[P_LEAF] : SEATS;
-	double refs = b->refs, twigs = leaf < SEATS || others > 0 ? 2 * refs : refs;
-	double tips = TIPS * (1 + refs / (0.85 * CROP)); /* crops end where cells do */
+	double refs = b->refs, tips = TIPS * (1 + refs / (0.85 * CROP)); /* crops end where cells do */
+	uint64_t node, block, other;
 
+	fast_room(b, &node, &block, &other);
 	out->kept = sizeof(ald_accel) +
 		    (uint64_t)(refs * (1 - others) * kept_fast[leaf - 1] + refs * others * KEPT_OTHER);
-	out->peak = out->kept +
-		    (uint64_t)(refs * sizeof(uint64_t) + (twigs / 2 + tips) * sizeof(struct seat) +
-			       (twigs + 2 * tips) * sizeof(struct twig) + tips * sizeof(struct part));
+	out->peak = sizeof(ald_accel) + node * sizeof(struct node) + block * sizeof(struct block) +
+		    other * sizeof(uint32_t) + b->host->threads * bvh8_desk() +
+		    (uint64_t)(refs * sizeof(uint64_t) + tips * (3 * sizeof(struct twig) + sizeof(struct ref) +
+								 sizeof(struct sprig)));
+	out->peak = b->refs && out->peak > out->kept ? out->peak : out->kept;
 	out->scratch = 0;
 }
 

@@ -8,7 +8,8 @@
 #define BVH8_LOT_H
 
 #include "bvh8.h"
-#include "bvh8_vecd.h"
+#include "bvh8_vec.h"
+#include "doubles.h"
 
 #define LOT 64u
 /* Of a distance along the main axis: where it is 0, for each 1 of it, and within the scene. See bvh8_beam.h. */

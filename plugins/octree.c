@@ -10,6 +10,7 @@
  * own octant order, a child that another one hides has the greater number, so that counting upwards is
  * going front to back.
  */
+#include "isa.h"
 #include "octree.h"
 #include "seen.h"
 
@@ -28,6 +29,7 @@ static const ald_param params[] = {
 	{ "node", "what a cell is tested by: its box, or a sphere around it", ALD_CHOICE, NODE_BOX, 0, 1, node_label },
 	{ "walk", "how the tree is gone through: in a loop, or by a function that calls itself", ALD_CHOICE, 0, 0, 1,
 	  walk_label },
+	ISA_PARAM,
 	{ NULL, NULL, 0, 0, 0, 0, NULL },
 };
 
@@ -36,102 +38,18 @@ static size_t octree_scratch_size(const ald_accel *a)
 	return seen_size(a->prims->count);
 }
 
-static void count_leaf(const ald_accel *a, struct seen *s, uint64_t *count, const struct leaf *leaf)
+static void octree_intersect_n(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit, uint32_t n,
+			       uint32_t hints)
 {
-	count[ALD_COUNT_PRIMS] += leaf->tris + leaf->others;
-	if (a->root_is_leaf)
-		return;
-	for (uint32_t i = 0; i < leaf->tris; i++)
-		count[ALD_COUNT_REPEATS] += seen_again(s, a->prims->count,
-						       a->id[leaf->block + i / ALD_LANES][i % ALD_LANES]);
-	for (uint32_t i = 0; i < leaf->others; i++)
-		count[ALD_COUNT_REPEATS] += seen_again(s, a->prims->count, a->other[leaf->other + i]);
-}
-
-#define CHUNK 256u /* rays that are looked at together */
-
-#define FAST 0
-#include "octree_walk.h"
-#undef FAST
-#define FAST 1
-#include "octree_walk.h"
-
-/* Counting is a second copy of the walk, so that it costs nothing when it is off; so are floats. */
-ALD_INLINE int trace_one(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit, int any, uint64_t *count)
-{
-	return a->fast ? trace_fast(a, q, ray, hit, any, count) : trace_right(a, q, ray, hit, any, count);
-}
-
-ALD_INLINE int trace_any(const ald_accel *a, ald_query *q, const ald_ray *ray)
-{
-	ald_hit hit = { .t = ray->tmax, .prim = ALD_NONE };
-
-	return q->count ? trace_one(a, q, ray, &hit, 1, q->count) : trace_one(a, q, ray, &hit, 1, NULL);
-}
-
-/* 1: the line passes the scene's box, surely. m is its moment about the box's centre c; seen along an axis across
- * it and one of the box's, the box is as large as reach. far is more than all that rounding and pads (R4) may
- * shift. A NaN does not pass. */
-ALD_INLINE int passes(const ald_accel *a, const ald_ray *r)
-{
-	const double *c = a->middle, *h = a->reach;
-	double ox = r->org.x - c[0], oy = r->org.y - c[1], oz = r->org.z - c[2];
-	double x = r->dir.x, y = r->dir.y, z = r->dir.z;
-	double far = (fabs(ox) + fabs(oy) + fabs(oz) + a->frame.radius) * 0x1p-44;
-	double hx = h[0] + far, hy = h[1] + far, hz = h[2] + far, dx = fabs(x), dy = fabs(y), dz = fabs(z);
-
-	return (fabs(oy * z - oz * y) > hy * dz + hz * dy) | (fabs(oz * x - ox * z) > hz * dx + hx * dz) |
-	       (fabs(ox * y - oy * x) > hx * dy + hy * dx);
-}
-
-/* The rays that do not: most of a batch may never come near. Returns how many; and how many have gone by. */
-ALD_INLINE uint32_t near_box(const ald_accel *a, const ald_ray *ray, uint32_t n, uint16_t near[CHUNK])
-{
-	uint8_t past[CHUNK];
-	uint32_t found = 0;
-
-	for (uint32_t i = 0; i < n; i++)
-		past[i] = a->ball > 0 ? 0 : (uint8_t)passes(a, &ray[i]);
-	for (uint32_t i = 0; i < n; i++) {
-		near[found] = (uint16_t)i;
-		found += !past[i];
-	}
-	return found;
-}
-
-WIDE static void octree_intersect_n(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit,
-				    uint32_t n, uint32_t hints)
-{
-	uint16_t near[CHUNK];
-
 	(void)hints;
-	for (uint32_t at = 0; at < n; at += CHUNK) {
-		uint32_t some = n - at < CHUNK ? n - at : CHUNK, m = near_box(a, ray + at, some, near);
-
-		if (q->count)
-			q->count[ALD_COUNT_VOLUME_TESTS] += some - m;
-		for (uint32_t i = 0; i < m && !q->count; i++)
-			trace_one(a, q, &ray[at + near[i]], &hit[at + near[i]], 0, NULL);
-		for (uint32_t i = 0; i < m && q->count; i++)
-			trace_one(a, q, &ray[at + near[i]], &hit[at + near[i]], 0, q->count);
-	}
+	a->isa->nearest(a, q, ray, hit, n);
 }
 
-WIDE static void octree_occluded_n(const ald_accel *a, ald_query *q, const ald_ray *ray, uint8_t *hidden,
-				   uint32_t n, uint32_t hints)
+static void octree_occluded_n(const ald_accel *a, ald_query *q, const ald_ray *ray, uint8_t *hidden, uint32_t n,
+			      uint32_t hints)
 {
-	uint16_t near[CHUNK];
-
 	(void)hints;
-	memset(hidden, 0, n);
-	for (uint32_t at = 0; at < n; at += CHUNK) {
-		uint32_t some = n - at < CHUNK ? n - at : CHUNK, m = near_box(a, ray + at, some, near);
-
-		if (q->count)
-			q->count[ALD_COUNT_VOLUME_TESTS] += some - m;
-		for (uint32_t i = 0; i < m; i++)
-			hidden[at + near[i]] = (uint8_t)trace_any(a, q, &ray[at + near[i]]);
-	}
+	a->isa->occluded(a, q, ray, hidden, n);
 }
 
 static int octree_intersect(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit)
@@ -139,7 +57,7 @@ static int octree_intersect(const ald_accel *a, ald_query *q, const ald_ray *ray
 	double t = hit->t;
 	uint32_t prim = hit->prim;
 
-	octree_intersect_n(a, q, ray, hit, 1, 0);
+	a->isa->nearest(a, q, ray, hit, 1);
 	return hit->t != t || hit->prim != prim;
 }
 
@@ -147,7 +65,7 @@ static int octree_occluded(const ald_accel *a, ald_query *q, const ald_ray *ray)
 {
 	uint8_t hidden;
 
-	octree_occluded_n(a, q, ray, &hidden, 1, 0);
+	a->isa->occluded(a, q, ray, &hidden, 1);
 	return hidden;
 }
 

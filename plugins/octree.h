@@ -1,7 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * What octree's two halves share: octree_build.c makes it, octree.c walks through it.
+ * What octree's two halves share: octree_build.c makes it, octree_walk.h goes through it.
  */
 #ifndef OCTREE_H
 #define OCTREE_H
@@ -12,11 +12,12 @@
 
 #define DEPTH_MAX 21
 
-#if defined __x86_64__ && defined __GNUC__ && !defined __AVX2__ && !defined __SANITIZE_ADDRESS__
-#define WIDE __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
-#else
-#define WIDE
-#endif
+struct octree_isa { /* the walk, for an instruction set */
+	void (*nearest)(const ald_accel *, ald_query *, const ald_ray *, ald_hit *, uint32_t n);
+	void (*occluded)(const ald_accel *, ald_query *, const ald_ray *, uint8_t *, uint32_t n);
+};
+
+extern const struct octree_isa octree_plain, octree_sse, octree_avx2, octree_avx512;
 
 struct leaf {
 	uint32_t block, tris; /* first of its blocks; how many triangles they hold */
@@ -26,6 +27,7 @@ struct leaf {
 struct ald_accel {
 	const ald_host *host;
 	const ald_prims *prims;
+	const struct octree_isa *isa;
 	ald_frame frame;
 	ald_box box; /* around the primitives */
 	double middle[3], reach[3]; /* its centre and half size, and a little more */
@@ -47,25 +49,14 @@ struct ald_accel {
 	int calls; /* the walk calls itself */
 };
 
-/* Plain loops over eight lanes: unlike vector types, which gcc takes apart before it makes clones, they
- * become as wide as each clone can be. */
+/* Plain loops over eight lanes become as wide as the instruction set they are compiled for. */
 #define EACH(i) for (unsigned i = 0; i < 8; i++)
 
 /* Bit k of each child's number. */
 #define CHILD_BITS                                                                                   \
 	{ { 0, 1, 0, 1, 0, 1, 0, 1 }, { 0, 0, 1, 1, 0, 0, 1, 1 }, { 0, 0, 0, 0, 1, 1, 1, 1 } }
 
-/* The lanes that are not 0. */
-ALD_INLINE uint32_t lanes(const int64_t in[8])
-{
-	uint32_t bits = 0;
-
-	EACH(i)
-		bits |= (uint32_t)in[i] << i;
-	return bits;
-}
-
-enum octree_param { P_DEPTH, P_LEAF, P_PRICE, P_INDEX, P_SHAPE, P_NODE, P_WALK };
+enum octree_param { P_DEPTH, P_LEAF, P_PRICE, P_INDEX, P_SHAPE, P_NODE, P_WALK, P_ISA };
 enum { INDEX_AUTO, INDEX_16, INDEX_32 };
 enum { SHAPE_CUBE, SHAPE_BOX };
 enum { NODE_BOX, NODE_SPHERE };

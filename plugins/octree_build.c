@@ -5,9 +5,17 @@
  * depends on nothing but the input. Whether a triangle touches a cell is decided by separating axes
  * (Akenine-Moeller: Fast 3D Triangle-Box Overlap Testing, 2001), for all eight children at once.
  */
+#include "isa.h"
 #include "octree.h"
 
 #include <stdio.h>
+
+/* Its loops over lanes in the widest instruction set there is; the walk has files of its own for each. */
+#if defined __x86_64__ && defined __GNUC__ && !defined __AVX2__ && !defined __SANITIZE_ADDRESS__
+#define WIDE __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
+#else
+#define WIDE
+#endif
 
 #define PIECE 2048 /* references that one job looks at together */
 
@@ -115,7 +123,7 @@ ALD_INLINE uint32_t triangle_children(const double q[3][3], const double h[3], d
 	long1 = fabs(e[1][0]) + fabs(e[1][1]) + fabs(e[1][2]);
 	s[0] = n[0] * q[0][0] + n[1] * q[0][1] + n[2] * q[0][2];
 	keep_touching(in, n, h, s[0], s[0], pad * (long0 * long1 + fabs(n[0]) + fabs(n[1]) + fabs(n[2])));
-	return lanes(in);
+	return ald_lane_bits(in);
 }
 
 ALD_INLINE uint32_t children(const struct builder *b, uint32_t id, const struct cell *cell)
@@ -550,16 +558,33 @@ void octree_destroy(ald_accel *a)
 	h->free(h->ctx, a);
 }
 
+static const struct octree_isa *isa_of(unsigned isa)
+{
+#if defined __x86_64__
+	if (isa == ISA_AVX512)
+		return &octree_avx512;
+	if (isa == ISA_AVX2)
+		return &octree_avx2;
+	if (isa == ISA_SSE)
+		return &octree_sse;
+#endif
+	(void)isa;
+	return &octree_plain;
+}
+
 int octree_build(const ald_host *host, const ald_prims *prims, const double *value, ald_accel **out,
 		 ald_error *err)
 {
 	struct builder b = { .host = host, .prims = prims, .value = value };
+	unsigned isa = isa_choose((unsigned)value[P_ISA], err);
 	int status;
 
+	if (isa == ISA_AUTO)
+		return ALD_BAD_PARAM;
 	b.a = take(host, 1, sizeof(*b.a), "octree: nodes");
 	if (!b.a)
 		return ALD_NO_MEMORY;
-	*b.a = (ald_accel){ .host = host, .prims = prims, .bytes = sizeof(*b.a) };
+	*b.a = (ald_accel){ .host = host, .prims = prims, .isa = isa_of(isa), .bytes = sizeof(*b.a) };
 	status = make_root(&b);
 	for (; !status && b.now < value[P_DEPTH] && b.level[b.now].cells; b.now++) {
 		if (host->progress(host->ctx, b.now / (value[P_DEPTH] + 1)))

@@ -1,7 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * The walk through an octree, included twice by octree.c: FAST 0 in doubles with the pads of rule R4, FAST 1 in
+ * The walk through an octree, included twice by octree_trace.h: FAST 0 in doubles with the pads of rule R4, FAST 1 in
  * floats without them (ALD_PRECISION_FAST). Everything else is the same, so that the two can be compared.
  */
 #if FAST
@@ -15,6 +15,7 @@
 #define BLOCK ald_fast_triangles
 #define BLOCKS fast
 #define TRIANGLE_N ald_fast_triangle_n
+#define LANE_BITS ald_lane_bits_single
 #define SPHERE_RAY ald_fast_sphere_ray
 #define PAD(p) 0
 #else
@@ -28,6 +29,7 @@
 #define BLOCK ald_triangles
 #define BLOCKS block
 #define TRIANGLE_N ald_triangle_n
+#define LANE_BITS ald_lane_bits
 #define SPHERE_RAY ald_sphere_ray
 #define PAD(p) ((p)->pad)
 #endif
@@ -63,16 +65,6 @@ ALD_INLINE REAL NAMED(best)(const struct WALK *w)
 #else
 	return w->hit->t;
 #endif
-}
-
-/* The lanes that are not 0. */
-ALD_INLINE uint32_t NAMED(lanes)(const LANE in[8])
-{
-	uint32_t bits = 0;
-
-	EACH(i)
-		bits |= (uint32_t)in[i] << i;
-	return bits;
 }
 
 ALD_INLINE int NAMED(test_lane)(struct WALK *w, const BLOCK *b, unsigned i, uint32_t id)
@@ -215,7 +207,7 @@ ALD_INLINE void NAMED(open_cell)(const struct WALK *w, struct FRAME *f, uint32_t
 		kids = (kids >> 4 & 0x0f) | (kids & 0x0f) << 4;
 	f->node = node;
 	f->useful = 0;
-	f->todo = (uint8_t)(kids & NAMED(lanes)(in));
+	f->todo = (uint8_t)(kids & LANE_BITS(in));
 	if (w->count) {
 		w->count[ALD_COUNT_VOLUME_TESTS] += (unsigned)__builtin_popcount(kids);
 		w->count[ALD_COUNT_NODES]++;
@@ -295,7 +287,7 @@ ALD_INLINE int NAMED(walk_down)(struct WALK *w, int any)
 }
 
 /* The same by calling itself: what the loop saves can be measured so (walk=recursion). */
-WIDE static int NAMED(walk_calls)(struct WALK *w, uint32_t node, int depth, REAL scale, int any)
+static int NAMED(walk_calls)(struct WALK *w, uint32_t node, int depth, REAL scale, int any)
 {
 	struct FRAME *f = &w->frame[depth];
 	int found = 0;
@@ -397,6 +389,7 @@ ALD_INLINE int NAMED(trace)(const ald_accel *a, ald_query *q, const ald_ray *ray
 #undef BLOCK
 #undef BLOCKS
 #undef TRIANGLE_N
+#undef LANE_BITS
 #undef SPHERE_RAY
 #undef PAD
 #undef FRAME

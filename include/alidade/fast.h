@@ -119,7 +119,6 @@ ALD_INLINE uint32_t ald_fast_triangle_n(const ald_fast_prep *p, const ald_fast_t
 	float ox = p->o[p->kx], oy = p->o[p->ky], oz = p->o[p->kz];
 	float sx = p->shear[0], sy = p->shear[1];
 	int32_t in[ALD_LANES];
-	uint32_t bits = 0;
 
 	for (unsigned i = 0; i < ALD_LANES; i++) {
 		float az = a[2][i] - oz, bz = b[2][i] - oz, cz = c[2][i] - oz;
@@ -132,9 +131,7 @@ ALD_INLINE uint32_t ald_fast_triangle_n(const ald_fast_prep *p, const ald_fast_t
 
 		in[i] = front | back;
 	}
-	for (unsigned i = 0; i < ALD_LANES; i++)
-		bits |= (uint32_t)in[i] << i;
-	return bits;
+	return ald_lane_bits_single(in);
 }
 
 /* Lane i, as ald_triangle(). */

@@ -19,6 +19,9 @@
 #include <float.h>
 #include <math.h>
 #include <string.h>
+#ifdef __AVX2__
+#include <immintrin.h>
+#endif
 
 #include "exact.h"
 
@@ -577,6 +580,43 @@ ALD_INLINE void ald_triangles_set(ald_triangles *s, unsigned lane, const ald_vec
 	}
 }
 
+/* Of lanes that are 0 or 1: a bit for each. */
+ALD_INLINE uint32_t ald_lane_bits(const int64_t in[ALD_LANES])
+{
+#if defined __AVX512F__
+	__m512i x = _mm512_loadu_si512(in);
+
+	return _mm512_test_epi64_mask(x, x);
+#elif defined __AVX2__
+	__m256i x = _mm256_loadu_si256((const __m256i_u *)in), y = _mm256_loadu_si256((const __m256i_u *)(in + 4));
+
+	x = _mm256_slli_epi64(x, 63);
+	y = _mm256_slli_epi64(y, 63);
+	return (uint32_t)(_mm256_movemask_pd(_mm256_castsi256_pd(x)) | _mm256_movemask_pd(_mm256_castsi256_pd(y)) << 4);
+#else
+	uint32_t bits = 0;
+
+	for (unsigned i = 0; i < ALD_LANES; i++)
+		bits |= (uint32_t)in[i] << i;
+	return bits;
+#endif
+}
+
+ALD_INLINE uint32_t ald_lane_bits_single(const int32_t in[ALD_LANES])
+{
+#if defined __AVX2__
+	__m256i x = _mm256_slli_epi32(_mm256_loadu_si256((const __m256i_u *)in), 31);
+
+	return (uint32_t)_mm256_movemask_ps(_mm256_castsi256_ps(x));
+#else
+	uint32_t bits = 0;
+
+	for (unsigned i = 0; i < ALD_LANES; i++)
+		bits |= (uint32_t)in[i] << i;
+	return bits;
+#endif
+}
+
 /* The bound of ald_triangle_line() for any triangle: none of the six is more than 2 M. */
 ALD_INLINE double ald_slack(const ald_prep *p)
 {
@@ -594,7 +634,6 @@ ALD_INLINE uint32_t ald_triangle_n(const ald_prep *p, const ald_triangles *s)
 	double ox = p->o[p->kx], oy = p->o[p->ky], oz = p->o[p->kz];
 	double sx = p->shear[0], sy = p->shear[1], e = ald_slack(p);
 	int64_t in[ALD_LANES];
-	uint32_t bits = 0;
 
 	for (unsigned i = 0; i < ALD_LANES; i++) {
 		double az = a[2][i] - oz, bz = b[2][i] - oz, cz = c[2][i] - oz;
@@ -607,9 +646,7 @@ ALD_INLINE uint32_t ald_triangle_n(const ald_prep *p, const ald_triangles *s)
 
 		in[i] = front | back;
 	}
-	for (unsigned i = 0; i < ALD_LANES; i++)
-		bits |= (uint32_t)in[i] << i;
-	return bits;
+	return ald_lane_bits(in);
 }
 
 /* ALD_LANES rays of one kz. Lanes not set are NaN and miss. */
@@ -650,7 +687,6 @@ ALD_INLINE uint32_t ald_rays_triangle(const ald_rays *s, const ald_vec v[3])
 	double b0 = ald_get(&v[1], s->kx), b1 = ald_get(&v[1], s->ky), b2 = ald_get(&v[1], s->kz);
 	double c0 = ald_get(&v[2], s->kx), c1 = ald_get(&v[2], s->ky), c2 = ald_get(&v[2], s->kz);
 	int64_t in[ALD_LANES];
-	uint32_t bits = 0;
 
 	for (unsigned i = 0; i < ALD_LANES; i++) {
 		double ox = s->o[0][i], oy = s->o[1][i], oz = s->o[2][i];
@@ -666,9 +702,7 @@ ALD_INLINE uint32_t ald_rays_triangle(const ald_rays *s, const ald_vec v[3])
 
 		in[i] = front | back;
 	}
-	for (unsigned i = 0; i < ALD_LANES; i++)
-		bits |= (uint32_t)in[i] << i;
-	return bits;
+	return ald_lane_bits(in);
 }
 
 #ifdef __cplusplus

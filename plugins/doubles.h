@@ -1,16 +1,21 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * bvh8's vectors of doubles, dv: DW lanes, as many as the instruction set has. Each operation is the one of
- * IEEE 754, so that what alidade/kernel.h says in scalars can be said in them with the same bits. min and max
- * are ald_min() and ald_max(): of two zeros, or with a NaN, the second.
+ * Vectors of doubles, dv: DW lanes, as many as the instruction set has. To be included by one file for each set,
+ * after ISA_LEVEL (see simd.h). Each operation is the one of IEEE 754, so that what alidade/kernel.h says in scalars
+ * can be said in them with the same bits; dv_mul_sub() and dv_sub_mul() apart, which round once where they can, for
+ * tests that only reject. min and max are ald_min() and ald_max(): of two zeros, or with a NaN, the second.
  */
-#ifndef BVH8_VECD_H
-#define BVH8_VECD_H
+#ifndef DOUBLES_H
+#define DOUBLES_H
 
 #include <alidade/kernel.h>
 
-#include "bvh8_vec.h"
+#if ISA_LEVEL > 0
+#include <immintrin.h>
+#endif
+
+#define V static inline __attribute__((always_inline, unused))
 
 #define D2(name, ...) \
 	V dv dv_##name(dv a, dv b) { return __VA_ARGS__; }
@@ -31,6 +36,8 @@ D2(mul, _mm512_mul_pd(a, b))
 D2(div, _mm512_div_pd(a, b))
 D2(min, _mm512_min_pd(a, b))
 D2(max, _mm512_max_pd(a, b))
+V dv dv_mul_sub(dv a, dv b, dv c) { return _mm512_fmsub_pd(a, b, c); }
+V dv dv_sub_mul(dv c, dv a, dv b) { return _mm512_fnmadd_pd(a, b, c); }
 V dv dv_size(dv a) { return _mm512_abs_pd(a); }
 V dm dv_gt(dv a, dv b) { return _mm512_cmp_pd_mask(a, b, _CMP_GT_OQ); }
 V dm dv_sign(dv a) { return _mm512_cmplt_epi64_mask(_mm512_castpd_si512(a), _mm512_setzero_si512()); }
@@ -58,6 +65,8 @@ D2(mul, _mm256_mul_pd(a, b))
 D2(div, _mm256_div_pd(a, b))
 D2(min, _mm256_min_pd(a, b))
 D2(max, _mm256_max_pd(a, b))
+V dv dv_mul_sub(dv a, dv b, dv c) { return _mm256_fmsub_pd(a, b, c); }
+V dv dv_sub_mul(dv c, dv a, dv b) { return _mm256_fnmadd_pd(a, b, c); }
 V dv dv_size(dv a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a); }
 V dm dv_gt(dv a, dv b) { return _mm256_cmp_pd(a, b, _CMP_GT_OQ); }
 V dm dv_sign(dv a) { return a; }
@@ -82,6 +91,8 @@ D2(mul, _mm_mul_pd(a, b))
 D2(div, _mm_div_pd(a, b))
 D2(min, _mm_min_pd(a, b))
 D2(max, _mm_max_pd(a, b))
+V dv dv_mul_sub(dv a, dv b, dv c) { return _mm_sub_pd(_mm_mul_pd(a, b), c); }
+V dv dv_sub_mul(dv c, dv a, dv b) { return _mm_sub_pd(c, _mm_mul_pd(a, b)); }
 V dv dv_size(dv a) { return _mm_andnot_pd(_mm_set1_pd(-0.0), a); }
 V dm dv_gt(dv a, dv b) { return _mm_cmpgt_pd(a, b); }
 V dm dv_sign(dv a) { return a; }
@@ -106,6 +117,8 @@ D2(mul, a *b)
 D2(div, a / b)
 D2(min, a < b ? a : b)
 D2(max, a > b ? a : b)
+V dv dv_mul_sub(dv a, dv b, dv c) { return a * b - c; }
+V dv dv_sub_mul(dv c, dv a, dv b) { return c - a * b; }
 V dv dv_size(dv a) { return fabs(a); }
 V dm dv_gt(dv a, dv b) { return a > b; }
 V dm dv_sign(dv a) { return !!signbit(a); }

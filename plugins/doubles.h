@@ -17,6 +17,13 @@
 
 #define V static inline __attribute__((always_inline, unused))
 
+/* Short loops over registers. */
+#ifdef __clang__
+#define UNROLLED _Pragma("clang loop unroll(full)")
+#else
+#define UNROLLED _Pragma("GCC unroll 8")
+#endif
+
 #define D2(name, ...) \
 	V dv dv_##name(dv a, dv b) { return __VA_ARGS__; }
 #define M2(name, ...) \

@@ -75,6 +75,7 @@ V void herd_lanes(const ald_accel *a, struct herd *h, unsigned i, const dv x[8],
 	pad = dv_mul(dv_all(16 * ALD_U), size);
 	up = dv_size(x[3 + h->kz]);
 	fine = dm_and(dm_and(dv_gt(huge, size), dv_gt(huge, up)), dv_gt(up, dv_all(0x1p-400)));
+	UNROLLED
 	for (unsigned k = 0; k < 3; k++) {
 		const unsigned down = h->flip >> k & 1;
 		dv o = x[k], d = x[3 + k], inv = dv_div(dv_all(1), d);
@@ -101,7 +102,7 @@ V void herd_lanes(const ald_accel *a, struct herd *h, unsigned i, const dv x[8],
 }
 
 /* Of the rays of index[], that go this way. */
-V void herd_fill(const ald_accel *a, struct herd *h, const struct batch *b, uint32_t n, uint32_t way)
+static __attribute__((noinline)) void herd_fill(const ald_accel *a, struct herd *h, const struct batch *b, uint32_t n, uint32_t way)
 {
 	h->size = n;
 	h->flip = way % 8;
@@ -181,6 +182,7 @@ V dv herd_t(const struct herd *h, const ald_vec v[3], unsigned row)
 	dv up, across, t, t0 = dv_all(-ALD_INF), t1 = dv_all(ALD_INF), q[3];
 	double e[3], g[3], n[3];
 
+	UNROLLED
 	for (unsigned k = 0; k < 3; k++) {
 		e[k] = p[1][k] - p[0][k];
 		g[k] = p[2][k] - p[0][k];
@@ -193,6 +195,7 @@ V dv herd_t(const struct herd *h, const ald_vec v[3], unsigned row)
 	across = sum3(dv_mul(dv_all(n[0]), dv_load(h->d[0] + row)), dv_mul(dv_all(n[1]), dv_load(h->d[1] + row)),
 		      dv_mul(dv_all(n[2]), dv_load(h->d[2] + row)));
 	t = dv_div(up, across);
+	UNROLLED
 	for (unsigned k = 0; k < 3; k++) {
 		double lo = ald_min(ald_min(p[0][k], p[1][k]), p[2][k]), hi = ald_max(ald_max(p[0][k], p[1][k]), p[2][k]);
 		unsigned down = h->flip >> k & 1;
@@ -215,6 +218,7 @@ V void herd_answer(const struct herd *h, const ald_vec v[3], unsigned row, struc
 	dv sx = dv_load(h->shear[0] + row), sy = dv_load(h->shear[1] + row), x[3], y[3], w[3], e, minus, sum, t;
 	dm up, down, in;
 
+	UNROLLED
 	for (unsigned j = 0; j < 3; j++) {
 		dv z = dv_sub(dv_all(ald_get(&v[j], h->kz)), dv_load(h->o[h->kz] + row));
 
@@ -281,35 +285,58 @@ static __attribute__((noinline, unused)) void herd_settle(const ald_accel *a, st
 		herd_kernel(a, h, b, v, id, row + (unsigned)__builtin_ctz(m));
 }
 
-/* The triangles of a leaf and a row of lanes: as ald_rays_triangle(), and rounded more seldom. */
-V void herd_row(const ald_accel *a, struct herd *h, const struct batch *b, const struct leaf *leaf, unsigned row,
+struct lines { /* a row of lanes, as ald_rays has them */
+	dv o[3], shear[2], slack, minus;
+};
+
+/* The lanes that may hit triangle j: as ald_rays_triangle(), and rounded more seldom. x, y, z: its corners, a block's
+ * length apart. */
+V uint32_t herd_meets(const struct lines *l, const double *x, const double *y, const double *z)
+{
+	dv p[3], q[3], w[3], least, most;
+
+	UNROLLED
+	for (unsigned k = 0; k < 3; k++) {
+		dv up = dv_sub(dv_all(z[3 * ALD_LANES * k]), l->o[2]);
+
+		p[k] = dv_sub_mul(dv_sub(dv_all(x[3 * ALD_LANES * k]), l->o[0]), l->shear[0], up);
+		q[k] = dv_sub_mul(dv_sub(dv_all(y[3 * ALD_LANES * k]), l->o[1]), l->shear[1], up);
+	}
+	w[0] = dv_mul_sub(p[2], q[1], dv_mul(q[2], p[1]));
+	w[1] = dv_mul_sub(p[0], q[2], dv_mul(q[0], p[2]));
+	w[2] = dv_mul_sub(p[1], q[0], dv_mul(q[1], p[0]));
+	least = dv_min(dv_min(w[0], w[1]), w[2]);
+	most = dv_max(dv_max(w[0], w[1]), w[2]);
+	return dm_bits(dm_or(dv_gt(least, l->minus), dv_gt(l->slack, most)));
+}
+
+/* The triangles of a leaf and a row of lanes. */
+static __attribute__((noinline)) void herd_row(const ald_accel *a, struct herd *h, const struct batch *b, const struct leaf *leaf, unsigned row,
 		uint32_t in, int any)
 {
-	const dv ox = dv_load(h->o[h->kx] + row), oy = dv_load(h->o[h->ky] + row), oz = dv_load(h->o[h->kz] + row);
-	const dv sx = dv_load(h->shear[0] + row), sy = dv_load(h->shear[1] + row), e = dv_load(h->slack + row);
-	const dv minus = dv_sub(dv_all(0), e);
+	struct lines l = { .o = { dv_load(h->o[h->kx] + row), dv_load(h->o[h->ky] + row), dv_load(h->o[h->kz] + row) },
+			   .shear = { dv_load(h->shear[0] + row), dv_load(h->shear[1] + row) },
+			   .slack = dv_load(h->slack + row) };
 
-	for (uint32_t i = 0; i < leaf->tris; i++) {
-		const ald_triangles *s = &a->block[leaf->block + i / ALD_LANES];
-		const unsigned j = i % ALD_LANES;
-		dv x[3], y[3], w[3], least, most;
-		uint32_t maybe;
+	l.minus = dv_sub(dv_all(0), l.slack);
+	for (uint32_t i = 0; i < leaf->tris; i += ALD_LANES) {
+		const uint32_t at = leaf->block + i / ALD_LANES, n = leaf->tris - i < ALD_LANES ? leaf->tris - i : ALD_LANES;
+		const ald_triangles *s = &a->block[at];
+		const double *x = s->v[0][h->kx], *y = s->v[0][h->ky], *z = s->v[0][h->kz];
+		uint64_t met = 0; /* DW lanes a triangle */
 
-		for (unsigned k = 0; k < 3; k++) {
-			dv z = dv_sub(dv_all(s->v[k][h->kz][j]), oz);
+		for (uint32_t j = 0; j < n; j++)
+			met |= (uint64_t)(herd_meets(&l, x + j, y + j, z + j) & in) << j * DW;
+		while (met) {
+			unsigned j = (unsigned)__builtin_ctzll(met) / DW;
+			uint32_t maybe = (uint32_t)(met >> j * DW) & ALL_LANES;
 
-			x[k] = dv_sub_mul(dv_sub(dv_all(s->v[k][h->kx][j]), ox), sx, z);
-			y[k] = dv_sub_mul(dv_sub(dv_all(s->v[k][h->ky][j]), oy), sy, z);
+			met &= ~((uint64_t)ALL_LANES << j * DW);
+			if (any)
+				maybe &= (uint32_t)(h->live >> row);
+			if (maybe)
+				herd_settle(a, h, b, s, j, a->id[at][j], row, maybe);
 		}
-		w[0] = dv_mul_sub(x[2], y[1], dv_mul(y[2], x[1]));
-		w[1] = dv_mul_sub(x[0], y[2], dv_mul(y[0], x[2]));
-		w[2] = dv_mul_sub(x[1], y[0], dv_mul(y[1], x[0]));
-		least = dv_min(dv_min(w[0], w[1]), w[2]);
-		most = dv_max(dv_max(w[0], w[1]), w[2]);
-		maybe = in & ~(dm_bits(dv_gt(minus, least)) & dm_bits(dv_gt(most, e)));
-		if (!maybe)
-			continue;
-		herd_settle(a, h, b, s, j, a->id[leaf->block + i / ALD_LANES][j], row, maybe);
 		if (any) {
 			in &= (uint32_t)(h->live >> row);
 			if (!in)
@@ -357,7 +384,7 @@ V dv plane_t(const double o[3][HERD], const struct herd *h, unsigned k, double p
 }
 
 /* Which children do the rays of mask enter? c has its planes. */
-V void herd_open(const ald_accel *a, const struct herd *h, struct cell *c, uint32_t node, uint64_t mask)
+static __attribute__((noinline)) void herd_open(const ald_accel *a, const struct herd *h, struct cell *c, uint32_t node, uint64_t mask)
 {
 	uint32_t kids = a->kids[node];
 	uint64_t in[8] = { 0 };
@@ -370,19 +397,23 @@ V void herd_open(const ald_accel *a, const struct herd *h, struct cell *c, uint3
 			continue;
 		en[0] = dv_load(h->t0 + row);
 		ex[7] = dv_load(h->t1 + row);
+		UNROLLED
 		for (unsigned k = 0; k < 3; k++) {
 			en[0] = dv_max(plane_t(h->near_o, h, k, c->near[k], row), en[0]);
 			ex[7] = dv_min(plane_t(h->far_o, h, k, c->far[k], row), ex[7]);
 		}
+		UNROLLED
 		for (unsigned k = 0; k < 3; k++) {
 			dv far = plane_t(h->near_o, h, k, c->middle[k], row);
 			dv near = plane_t(h->far_o, h, k, c->middle[k], row);
 
+			UNROLLED
 			for (unsigned i = 0; i < 1u << k; i++) {
 				en[i + (1u << k)] = dv_max(far, en[i]);
 				ex[7 - i - (1u << k)] = dv_min(near, ex[7 - i]);
 			}
 		}
+		UNROLLED
 		for (unsigned i = 0; i < 8; i++)
 			in[i] |= (uint64_t)(~dm_bits(dv_gt(en[i], ex[i])) & some) << row;
 	}
@@ -414,7 +445,7 @@ V void herd_descend(const struct herd *h, const struct cell *c, struct cell *dow
 }
 
 /* The lanes that enter a child before all that they have hit. */
-V uint64_t herd_reach(const struct herd *h, const struct cell *c, unsigned kid, uint64_t mask)
+static __attribute__((noinline)) uint64_t herd_reach(const struct herd *h, const struct cell *c, unsigned kid, uint64_t mask)
 {
 	uint64_t in = 0;
 
@@ -424,6 +455,7 @@ V uint64_t herd_reach(const struct herd *h, const struct cell *c, unsigned kid, 
 
 		if (!some)
 			continue;
+		UNROLLED
 		for (unsigned k = 0; k < 3; k++)
 			t = dv_max(plane_t(h->near_o, h, k, kid >> k & 1 ? c->middle[k] : c->near[k], row), t);
 		in |= (uint64_t)(~dm_bits(dv_gt(t, dv_load(h->t1 + row))) & some) << row;

@@ -44,13 +44,6 @@ ALD_INLINE int trace_one(const ald_accel *a, ald_query *q, const ald_ray *ray, a
 	return a->fast ? trace_fast(a, q, ray, hit, any, count) : trace_right(a, q, ray, hit, any, count);
 }
 
-ALD_INLINE int trace_any(const ald_accel *a, ald_query *q, const ald_ray *ray)
-{
-	ald_hit hit = { .t = ray->tmax, .prim = ALD_NONE };
-
-	return q->count ? trace_one(a, q, ray, &hit, 1, q->count) : trace_one(a, q, ray, &hit, 1, NULL);
-}
-
 /* The lanes, of DW from ray on, whose line surely passes the scene's box by. m is a line's moment about the box's
  * centre; seen along an axis across it and one of the box's, the box is as large as reach. far is more than all that
  * rounding and pads (R4) may shift. A NaN does not pass. */
@@ -78,7 +71,7 @@ V uint32_t passing(const ald_accel *a, const dv ray[8])
 }
 
 /* The rays that do not: most of a batch may never come near; and the ways they go. Returns how many. */
-V uint32_t near_box(const ald_accel *a, const ald_ray *ray, uint32_t n, struct near *near)
+static __attribute__((noinline)) uint32_t near_box(const ald_accel *a, const ald_ray *ray, uint32_t n, struct near *near)
 {
 	uint32_t found = 0;
 
@@ -104,14 +97,28 @@ V uint32_t near_box(const ald_accel *a, const ald_ray *ray, uint32_t n, struct n
 	return found;
 }
 
+/* A ray by itself. Apart, as there are many copies of the walk in it. */
+static __attribute__((noinline)) void trace_nearest(const ald_accel *a, ald_query *q, const ald_ray *ray, ald_hit *hit)
+{
+	if (q->count)
+		trace_one(a, q, ray, hit, 0, q->count);
+	else
+		trace_one(a, q, ray, hit, 0, NULL);
+}
+
+static __attribute__((noinline)) int trace_any(const ald_accel *a, ald_query *q, const ald_ray *ray)
+{
+	ald_hit hit = { .t = ray->tmax, .prim = ALD_NONE };
+
+	return q->count ? trace_one(a, q, ray, &hit, 1, q->count) : trace_one(a, q, ray, &hit, 1, NULL);
+}
+
 V void trace_alone(const ald_accel *a, ald_query *q, const struct batch *b, uint32_t i)
 {
-	if (!b->hit)
-		b->hidden[i] = (uint8_t)trace_any(a, q, &b->ray[i]);
-	else if (q->count)
-		trace_one(a, q, &b->ray[i], &b->hit[i], 0, q->count);
+	if (b->hit)
+		trace_nearest(a, q, &b->ray[i], &b->hit[i]);
 	else
-		trace_one(a, q, &b->ray[i], &b->hit[i], 0, NULL);
+		b->hidden[i] = (uint8_t)trace_any(a, q, &b->ray[i]);
 }
 
 /* Herds of the rays order[from ..] that go one way; what they don't take goes alone. 0: they don't pay. */
@@ -141,7 +148,7 @@ V int trace_herds(const ald_accel *a, ald_query *q, const struct batch *b, struc
 }
 
 /* Rays by the way they go: order[], and behind each way where it ends there. */
-V void sort_ways(const struct near *near, uint32_t n, uint16_t *order, uint32_t end[WAYS])
+static __attribute__((noinline)) void sort_ways(const struct near *near, uint32_t n, uint16_t *order, uint32_t end[WAYS])
 {
 	uint32_t sum = 0;
 

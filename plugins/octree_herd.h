@@ -102,7 +102,7 @@ V void herd_lanes(const ald_accel *a, struct herd *h, unsigned i, const dv x[8],
 }
 
 /* Of the rays of index[], that go this way. */
-static __attribute__((noinline)) void herd_fill(const ald_accel *a, struct herd *h, const struct batch *b, uint32_t n, uint32_t way)
+V void herd_fill(const ald_accel *a, struct herd *h, const struct batch *b, uint32_t n, uint32_t way)
 {
 	h->size = n;
 	h->flip = way % 8;
@@ -197,7 +197,8 @@ V dv herd_t(const struct herd *h, const ald_vec v[3], unsigned row)
 	t = dv_div(up, across);
 	UNROLLED
 	for (unsigned k = 0; k < 3; k++) {
-		double lo = ald_min(ald_min(p[0][k], p[1][k]), p[2][k]), hi = ald_max(ald_max(p[0][k], p[1][k]), p[2][k]);
+		double lo = ald_min(ald_min(p[0][k], p[1][k]), p[2][k]);
+		double hi = ald_max(ald_max(p[0][k], p[1][k]), p[2][k]);
 		unsigned down = h->flip >> k & 1;
 		dv o = dv_load(h->o[k] + row), inv = dv_load(h->inv[k] + row);
 
@@ -311,7 +312,7 @@ V uint32_t herd_meets(const struct lines *l, const double *x, const double *y, c
 }
 
 /* The triangles of a leaf and a row of lanes. */
-static __attribute__((noinline)) void herd_row(const ald_accel *a, struct herd *h, const struct batch *b, const struct leaf *leaf, unsigned row,
+V void herd_row(const ald_accel *a, struct herd *h, const struct batch *b, const struct leaf *leaf, unsigned row,
 		uint32_t in, int any)
 {
 	struct lines l = { .o = { dv_load(h->o[h->kx] + row), dv_load(h->o[h->ky] + row), dv_load(h->o[h->kz] + row) },
@@ -320,7 +321,8 @@ static __attribute__((noinline)) void herd_row(const ald_accel *a, struct herd *
 
 	l.minus = dv_sub(dv_all(0), l.slack);
 	for (uint32_t i = 0; i < leaf->tris; i += ALD_LANES) {
-		const uint32_t at = leaf->block + i / ALD_LANES, n = leaf->tris - i < ALD_LANES ? leaf->tris - i : ALD_LANES;
+		const uint32_t at = leaf->block + i / ALD_LANES;
+		const uint32_t n = leaf->tris - i < ALD_LANES ? leaf->tris - i : ALD_LANES;
 		const ald_triangles *s = &a->block[at];
 		const double *x = s->v[0][h->kx], *y = s->v[0][h->ky], *z = s->v[0][h->kz];
 		uint64_t met = 0; /* DW lanes a triangle */
@@ -384,7 +386,7 @@ V dv plane_t(const double o[3][HERD], const struct herd *h, unsigned k, double p
 }
 
 /* Which children do the rays of mask enter? c has its planes. */
-static __attribute__((noinline)) void herd_open(const ald_accel *a, const struct herd *h, struct cell *c, uint32_t node, uint64_t mask)
+V void herd_open(const ald_accel *a, const struct herd *h, struct cell *c, uint32_t node, uint64_t mask)
 {
 	uint32_t kids = a->kids[node];
 	uint64_t in[8] = { 0 };
@@ -445,7 +447,7 @@ V void herd_descend(const struct herd *h, const struct cell *c, struct cell *dow
 }
 
 /* The lanes that enter a child before all that they have hit. */
-static __attribute__((noinline)) uint64_t herd_reach(const struct herd *h, const struct cell *c, unsigned kid, uint64_t mask)
+V uint64_t herd_reach(const struct herd *h, const struct cell *c, unsigned kid, uint64_t mask)
 {
 	uint64_t in = 0;
 

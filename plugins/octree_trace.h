@@ -71,7 +71,7 @@ V uint32_t passing(const ald_accel *a, const dv ray[8])
 }
 
 /* The rays that do not: most of a batch may never come near; and the ways they go. Returns how many. */
-static __attribute__((noinline)) uint32_t near_box(const ald_accel *a, const ald_ray *ray, uint32_t n, struct near *near)
+V uint32_t near_box(const ald_accel *a, const ald_ray *ray, uint32_t n, struct near *near)
 {
 	uint32_t found = 0;
 
@@ -148,7 +148,7 @@ V int trace_herds(const ald_accel *a, ald_query *q, const struct batch *b, struc
 }
 
 /* Rays by the way they go: order[], and behind each way where it ends there. */
-static __attribute__((noinline)) void sort_ways(const struct near *near, uint32_t n, uint16_t *order, uint32_t end[WAYS])
+V void sort_ways(const struct near *near, uint32_t n, uint16_t *order, uint32_t end[WAYS])
 {
 	uint32_t sum = 0;
 

@@ -19,11 +19,9 @@
 #include <float.h>
 #include <math.h>
 #include <string.h>
-#ifdef __AVX2__
-#include <immintrin.h>
-#endif
 
 #include "exact.h"
+#include "lanes.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -31,7 +29,6 @@ extern "C" {
 
 #define ALD_INF ((double)INFINITY)
 #define ALD_NAN ((double)NAN)
-#define ALD_LANES 8u /* of the n-wide forms */
 
 /* ---- outward rounding ---- */
 
@@ -578,43 +575,6 @@ ALD_INLINE void ald_triangles_set(ald_triangles *s, unsigned lane, const ald_vec
 		s->v[k][1][lane] = v[k].y;
 		s->v[k][2][lane] = v[k].z;
 	}
-}
-
-/* Of lanes that are 0 or 1: a bit for each. */
-ALD_INLINE uint32_t ald_lane_bits(const int64_t in[ALD_LANES])
-{
-#if defined __AVX512F__
-	__m512i x = _mm512_loadu_si512(in);
-
-	return _mm512_test_epi64_mask(x, x);
-#elif defined __AVX2__
-	__m256i x = _mm256_loadu_si256((const __m256i_u *)in), y = _mm256_loadu_si256((const __m256i_u *)(in + 4));
-
-	x = _mm256_slli_epi64(x, 63);
-	y = _mm256_slli_epi64(y, 63);
-	return (uint32_t)(_mm256_movemask_pd(_mm256_castsi256_pd(x)) | _mm256_movemask_pd(_mm256_castsi256_pd(y)) << 4);
-#else
-	uint32_t bits = 0;
-
-	for (unsigned i = 0; i < ALD_LANES; i++)
-		bits |= (uint32_t)in[i] << i;
-	return bits;
-#endif
-}
-
-ALD_INLINE uint32_t ald_lane_bits_single(const int32_t in[ALD_LANES])
-{
-#if defined __AVX2__
-	__m256i x = _mm256_slli_epi32(_mm256_loadu_si256((const __m256i_u *)in), 31);
-
-	return (uint32_t)_mm256_movemask_ps(_mm256_castsi256_ps(x));
-#else
-	uint32_t bits = 0;
-
-	for (unsigned i = 0; i < ALD_LANES; i++)
-		bits |= (uint32_t)in[i] << i;
-	return bits;
-#endif
 }
 
 /* The bound of ald_triangle_line() for any triangle: none of the six is more than 2 M. */

@@ -8,7 +8,7 @@
 #ifndef ALIDADE_LANES_H
 #define ALIDADE_LANES_H
 
-#include "accel.h"
+#include "exact.h"
 
 #ifdef __AVX2__
 #include <immintrin.h>

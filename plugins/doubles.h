@@ -19,9 +19,9 @@
 
 /* Short loops over registers. */
 #ifdef __clang__
-#define UNROLLED _Pragma("clang loop unroll(full)")
+#define UNROLL _Pragma("clang loop unroll(full)")
 #else
-#define UNROLLED _Pragma("GCC unroll 8")
+#define UNROLL _Pragma("GCC unroll 8")
 #endif
 
 #define D2(name, ...) \

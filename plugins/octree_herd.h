@@ -75,7 +75,7 @@ V void herd_lanes(const ald_accel *a, struct herd *h, unsigned i, const dv x[8],
 	pad = dv_mul(dv_all(16 * ALD_U), size);
 	up = dv_size(x[3 + h->kz]);
 	fine = dm_and(dm_and(dv_gt(huge, size), dv_gt(huge, up)), dv_gt(up, dv_all(0x1p-400)));
-	UNROLLED
+	UNROLL
 	for (unsigned k = 0; k < 3; k++) {
 		const unsigned down = h->flip >> k & 1;
 		dv o = x[k], d = x[3 + k], inv = dv_div(dv_all(1), d);
@@ -182,7 +182,7 @@ V dv herd_t(const struct herd *h, const ald_vec v[3], unsigned row)
 	dv up, across, t, t0 = dv_all(-ALD_INF), t1 = dv_all(ALD_INF), q[3];
 	double e[3], g[3], n[3];
 
-	UNROLLED
+	UNROLL
 	for (unsigned k = 0; k < 3; k++) {
 		e[k] = p[1][k] - p[0][k];
 		g[k] = p[2][k] - p[0][k];
@@ -195,7 +195,7 @@ V dv herd_t(const struct herd *h, const ald_vec v[3], unsigned row)
 	across = sum3(dv_mul(dv_all(n[0]), dv_load(h->d[0] + row)), dv_mul(dv_all(n[1]), dv_load(h->d[1] + row)),
 		      dv_mul(dv_all(n[2]), dv_load(h->d[2] + row)));
 	t = dv_div(up, across);
-	UNROLLED
+	UNROLL
 	for (unsigned k = 0; k < 3; k++) {
 		double lo = ald_min(ald_min(p[0][k], p[1][k]), p[2][k]);
 		double hi = ald_max(ald_max(p[0][k], p[1][k]), p[2][k]);
@@ -219,7 +219,7 @@ V void herd_answer(const struct herd *h, const ald_vec v[3], unsigned row, struc
 	dv sx = dv_load(h->shear[0] + row), sy = dv_load(h->shear[1] + row), x[3], y[3], w[3], e, minus, sum, t;
 	dm up, down, in;
 
-	UNROLLED
+	UNROLL
 	for (unsigned j = 0; j < 3; j++) {
 		dv z = dv_sub(dv_all(ald_get(&v[j], h->kz)), dv_load(h->o[h->kz] + row));
 
@@ -296,7 +296,7 @@ V uint32_t herd_meets(const struct lines *l, const double *x, const double *y, c
 {
 	dv p[3], q[3], w[3], least, most;
 
-	UNROLLED
+	UNROLL
 	for (unsigned k = 0; k < 3; k++) {
 		dv up = dv_sub(dv_all(z[3 * ALD_LANES * k]), l->o[2]);
 
@@ -399,23 +399,23 @@ V void herd_open(const ald_accel *a, const struct herd *h, struct cell *c, uint3
 			continue;
 		en[0] = dv_load(h->t0 + row);
 		ex[7] = dv_load(h->t1 + row);
-		UNROLLED
+		UNROLL
 		for (unsigned k = 0; k < 3; k++) {
 			en[0] = dv_max(plane_t(h->near_o, h, k, c->near[k], row), en[0]);
 			ex[7] = dv_min(plane_t(h->far_o, h, k, c->far[k], row), ex[7]);
 		}
-		UNROLLED
+		UNROLL
 		for (unsigned k = 0; k < 3; k++) {
 			dv far = plane_t(h->near_o, h, k, c->middle[k], row);
 			dv near = plane_t(h->far_o, h, k, c->middle[k], row);
 
-			UNROLLED
+			UNROLL
 			for (unsigned i = 0; i < 1u << k; i++) {
 				en[i + (1u << k)] = dv_max(far, en[i]);
 				ex[7 - i - (1u << k)] = dv_min(near, ex[7 - i]);
 			}
 		}
-		UNROLLED
+		UNROLL
 		for (unsigned i = 0; i < 8; i++)
 			in[i] |= (uint64_t)(~dm_bits(dv_gt(en[i], ex[i])) & some) << row;
 	}
@@ -457,7 +457,7 @@ V uint64_t herd_reach(const struct herd *h, const struct cell *c, unsigned kid, 
 
 		if (!some)
 			continue;
-		UNROLLED
+		UNROLL
 		for (unsigned k = 0; k < 3; k++)
 			t = dv_max(plane_t(h->near_o, h, k, kid >> k & 1 ? c->middle[k] : c->near[k], row), t);
 		in |= (uint64_t)(~dm_bits(dv_gt(t, dv_load(h->t1 + row))) & some) << row;

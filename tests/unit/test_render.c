@@ -12,6 +12,7 @@
 #include <cmocka.h>
 #include <string.h>
 
+#include "render/foresee.h"
 #include "render/render.h"
 
 #define WIDTH 70
@@ -158,6 +159,39 @@ static void nothing_but_the_scene_decides(void **state)
 		assert_same(&whole, &other, 11, 5);
 		image_release(&other);
 		image_release(&whole);
+	}
+}
+
+/* A guess: within a factor of three, and exact where nothing is to be guessed. */
+static void rays_are_foreseen(void **state)
+{
+	const struct render_options way[] = {
+		{ .aa = RENDER_AA_NONE },
+		{ .aa = RENDER_AA_GRID, .aa_n = 3 },
+		{ .aa = RENDER_AA_POV1, .aa_n = 3, .aa_threshold = 0.1 },
+		{ .aa = RENDER_AA_POV2, .aa_n = 2, .aa_threshold = 0.1 },
+		{ .spp = 8 },
+		{ .aa = RENDER_AA_GRID, .aa_n = 2, .camera_only = true },
+		{ .crop_x = 10, .crop_y = 10, .crop_width = 50, .crop_height = 30 },
+	};
+	struct stage *st = *state;
+
+	for (size_t i = 0; i < sizeof(way) / sizeof(way[0]); i++) {
+		struct render_options o = way[i];
+		struct render_counts counts;
+		struct image out;
+		double foreseen, cast = 0;
+
+		assert_int_equal(render(st, &o, 1, &out, &counts), 0);
+		image_release(&out);
+		for (unsigned k = 0; k < RENDER_RAY_KINDS; k++)
+			cast += (double)counts.cast[k];
+		o.width = WIDTH;
+		o.height = HEIGHT;
+		foreseen = render_foresee(&st->scene, &o);
+		if (foreseen > 3 * cast || cast > 3 * foreseen || (o.camera_only && foreseen < cast) ||
+		    (o.camera_only && foreseen > cast))
+			fail_msg("way %zu: %g rays are foreseen, %g are cast", i, foreseen, cast);
 	}
 }
 
@@ -308,7 +342,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(nothing_but_the_scene_decides),
-		cmocka_unit_test(adaptive_methods_refine_edges),
+		cmocka_unit_test(rays_are_foreseen), cmocka_unit_test(adaptive_methods_refine_edges),
 		cmocka_unit_test(a_surface_does_not_hide_its_own_lamp),
 		cmocka_unit_test(memory_grows_with_depth_only),
 		cmocka_unit_test(stopping_keeps_what_is_done),

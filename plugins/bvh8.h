@@ -28,6 +28,8 @@
 #include <alidade/accel.h>
 #include <alidade/kernel.h>
 
+#include "isa.h"
+
 #define WIDTH 8u /* children of a node */
 #define SEATS 4u /* triangles of a block */
 #define BLOCKS_MAX 7u /* blocks of a leaf */
@@ -36,13 +38,6 @@
 #define LEVELS_MAX 56u /* of wide nodes, whatever the scene is */
 #define INTERLEAVE_MAX 48u
 #define STACK_MAX ((WIDTH - 1) * LEVELS_MAX + 2)
-
-/* Short loops over axes, corners or lanes, whose arrays are to stay in registers: -O2 alone leaves them in memory. */
-#ifdef __clang__
-#define UNROLL _Pragma("clang loop unroll(full)")
-#else
-#define UNROLL _Pragma("GCC unroll 8")
-#endif
 
 /* A reference to a child: a node's number; or a leaf's first block and how many it has; or where in
  * other[] there is a count and so many ids. EMPTY: no child. */

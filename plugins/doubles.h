@@ -11,18 +11,13 @@
 
 #include <alidade/kernel.h>
 
+#include "isa.h"
+
 #if ISA_LEVEL > 0
 #include <immintrin.h>
 #endif
 
 #define V static inline __attribute__((always_inline, unused))
-
-/* Short loops over registers. */
-#ifdef __clang__
-#define UNROLL _Pragma("clang loop unroll(full)")
-#else
-#define UNROLL _Pragma("GCC unroll 8")
-#endif
 
 #define D2(name, ...) \
 	V dv dv_##name(dv a, dv b) { return __VA_ARGS__; }

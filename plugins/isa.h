@@ -15,6 +15,13 @@ static const char *const isa_label[] = { "auto", "plain", "sse", "avx2", "avx512
 
 #define ISA_PARAM { "isa", "instruction set; auto: the best there is", ALD_CHOICE, ISA_AUTO, 0, 4, isa_label }
 
+/* Short loops over axes, corners or lanes, whose arrays are to stay in registers: -O2 alone leaves them in memory. */
+#ifdef __clang__
+#define UNROLL _Pragma("clang loop unroll(full)")
+#else
+#define UNROLL _Pragma("GCC unroll 8")
+#endif
+
 static inline int isa_here(unsigned isa)
 {
 #if defined __x86_64__

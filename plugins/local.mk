@@ -24,18 +24,20 @@ plugins_box_la_LDFLAGS = $(PLUGIN_LDFLAGS)
 
 plugins_octree_la_SOURCES = plugins/octree.c plugins/octree_build.c plugins/octree_plain.c \
 	plugins/octree_sse.c plugins/octree_avx2.c plugins/octree_avx512.c plugins/octree.h plugins/octree_trace.h \
-	plugins/octree_walk.h plugins/octree_herd.h plugins/doubles.h plugins/isa.h plugins/seen.h
+	plugins/octree_walk.h plugins/octree_herd.h plugins/doubles.h plugins/lane_triangle.h plugins/isa.h plugins/seen.h
 plugins_octree_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
 plugins_octree_la_LDFLAGS = $(PLUGIN_LDFLAGS)
 
-plugins_bvh8_la_SOURCES = plugins/bvh8.c plugins/bvh8_build.c plugins/bvh8_predict.c plugins/bvh8_split.c plugins/bvh8_sah.c plugins/bvh8_sah_avx2.c plugins/bvh8_wide.c \
-	plugins/bvh8_fast.c plugins/bvh8_fast.h plugins/bvh8_corner.h plugins/bvh8_crop.c plugins/bvh8_crop_avx2.c plugins/bvh8_crop.h \
-	plugins/bvh8_crown.c plugins/bvh8_fold.h \
-	plugins/bvh8_sah.h plugins/bvh8_grow.h plugins/bvh8_part.h plugins/bvh8_spatial.h plugins/bvh8_bins.h plugins/bvh8_hull.h \
-	plugins/bvh8_lanes.c plugins/bvh8_plain.c plugins/bvh8_sse.c plugins/bvh8_avx2.c plugins/bvh8_avx512.c \
-	plugins/bvh8.h plugins/isa.h plugins/seen.h plugins/bvh8_lot.h plugins/bvh8_ask.h plugins/bvh8_beam.h \
-	plugins/bvh8_vec.h plugins/bvh8_vecd.h plugins/bvh8_vecg.h plugins/bvh8_leaf.h plugins/bvh8_herd.h plugins/bvh8_walk.h
-	plugins/bvh8_vec.h plugins/doubles.h plugins/bvh8_herd.h plugins/bvh8_walk.h
+plugins_bvh8_la_SOURCES = plugins/bvh8.c plugins/bvh8.h plugins/bvh8_ask.h plugins/bvh8_avx2.c \
+	plugins/bvh8_avx512.c plugins/bvh8_beam.h plugins/bvh8_bins.h plugins/bvh8_build.c \
+	plugins/bvh8_corner.h plugins/bvh8_crop.c plugins/bvh8_crop.h plugins/bvh8_crop_avx2.c \
+	plugins/bvh8_crown.c plugins/bvh8_fast.c plugins/bvh8_fast.h plugins/bvh8_fold.h \
+	plugins/bvh8_grow.h plugins/bvh8_herd.h plugins/bvh8_hull.h plugins/bvh8_lanes.c \
+	plugins/bvh8_leaf.h plugins/bvh8_lot.h plugins/bvh8_part.h plugins/bvh8_plain.c \
+	plugins/bvh8_predict.c plugins/bvh8_sah.c plugins/bvh8_sah.h plugins/bvh8_sah_avx2.c \
+	plugins/bvh8_spatial.h plugins/bvh8_split.c plugins/bvh8_sse.c plugins/bvh8_vec.h \
+	plugins/bvh8_vecg.h plugins/bvh8_walk.h plugins/bvh8_wide.c plugins/doubles.h plugins/isa.h \
+	plugins/lane_triangle.h plugins/seen.h
 plugins_bvh8_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
 plugins_bvh8_la_LDFLAGS = $(PLUGIN_LDFLAGS)
 

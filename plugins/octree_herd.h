@@ -10,7 +10,7 @@
 #ifndef OCTREE_HERD_H
 #define OCTREE_HERD_H
 
-#include "doubles.h"
+#include "lane_triangle.h"
 #include "octree.h"
 
 #define HERD 64u
@@ -165,87 +165,32 @@ static __attribute__((noinline, unused)) void herd_kernel(const ald_accel *a, st
 		herd_nearer(h, b, lane);
 }
 
-V dv cross2(dv a, dv b, dv c, dv d)
-{
-	return dv_sub(dv_mul(a, b), dv_mul(c, d));
-}
-
-V dv sum3(dv a, dv b, dv c)
-{
-	return dv_add(dv_add(a, b), c);
-}
-
-/* ald_triangle_t(), the kernel's operations in its order. */
-V dv herd_t(const struct herd *h, const ald_vec v[3], unsigned row)
-{
-	const double *p[3] = { &v[0].x, &v[1].x, &v[2].x };
-	dv up, across, t, t0 = dv_all(-ALD_INF), t1 = dv_all(ALD_INF), q[3];
-	double e[3], g[3], n[3];
-
-	UNROLL
-	for (unsigned k = 0; k < 3; k++) {
-		e[k] = p[1][k] - p[0][k];
-		g[k] = p[2][k] - p[0][k];
-		q[k] = dv_sub(dv_all(p[0][k]), dv_load(h->o[k] + row));
-	}
-	n[0] = e[1] * g[2] - e[2] * g[1];
-	n[1] = e[2] * g[0] - e[0] * g[2];
-	n[2] = e[0] * g[1] - e[1] * g[0];
-	up = sum3(dv_mul(dv_all(n[0]), q[0]), dv_mul(dv_all(n[1]), q[1]), dv_mul(dv_all(n[2]), q[2]));
-	across = sum3(dv_mul(dv_all(n[0]), dv_load(h->d[0] + row)), dv_mul(dv_all(n[1]), dv_load(h->d[1] + row)),
-		      dv_mul(dv_all(n[2]), dv_load(h->d[2] + row)));
-	t = dv_div(up, across);
-	UNROLL
-	for (unsigned k = 0; k < 3; k++) {
-		double lo = ald_min(ald_min(p[0][k], p[1][k]), p[2][k]);
-		double hi = ald_max(ald_max(p[0][k], p[1][k]), p[2][k]);
-		unsigned down = h->flip >> k & 1;
-		dv o = dv_load(h->o[k] + row), inv = dv_load(h->inv[k] + row);
-
-		t0 = dv_max(dv_mul(dv_sub(dv_all(down ? hi : lo), o), inv), t0);
-		t1 = dv_min(dv_mul(dv_sub(dv_all(down ? lo : hi), o), inv), t1);
-	}
-	return dv_max(dv_min(t, t1), t0);
-}
-
-struct answer { /* bits of lanes: this is a hit within the ray; the kernel has to be asked */
-	double t[DW], u[DW], v[DW];
-	uint32_t hit, doubt;
-};
-
-/* ald_triangle_line(), as far as rounding lets tell. */
+/* A triangle and a row of lanes. */
 V void herd_answer(const struct herd *h, const ald_vec v[3], unsigned row, struct answer *r)
 {
-	dv sx = dv_load(h->shear[0] + row), sy = dv_load(h->shear[1] + row), x[3], y[3], w[3], e, minus, sum, t;
-	dm up, down, in;
+	dv sx = dv_load(h->shear[0] + row), sy = dv_load(h->shear[1] + row);
+	struct pairs p;
 
+	UNROLL
+	for (unsigned k = 0; k < 3; k++) {
+		p.o[k] = dv_load(h->o[k] + row);
+		p.d[k] = dv_load(h->d[k] + row);
+		p.inv[k] = dv_load(h->inv[k] + row);
+		UNROLL
+		for (unsigned j = 0; j < 3; j++)
+			p.v[j][k] = dv_all(ald_get(&v[j], k));
+	}
 	UNROLL
 	for (unsigned j = 0; j < 3; j++) {
 		dv z = dv_sub(dv_all(ald_get(&v[j], h->kz)), dv_load(h->o[h->kz] + row));
 
-		x[j] = dv_sub(dv_sub(dv_all(ald_get(&v[j], h->kx)), dv_load(h->o[h->kx] + row)), dv_mul(sx, z));
-		y[j] = dv_sub(dv_sub(dv_all(ald_get(&v[j], h->ky)), dv_load(h->o[h->ky] + row)), dv_mul(sy, z));
+		p.x[j] = dv_sub(dv_sub(dv_all(ald_get(&v[j], h->kx)), dv_load(h->o[h->kx] + row)), dv_mul(sx, z));
+		p.y[j] = dv_sub(dv_sub(dv_all(ald_get(&v[j], h->ky)), dv_load(h->o[h->ky] + row)), dv_mul(sy, z));
 	}
-	e = dv_add(dv_add(dv_add(dv_size(x[0]), dv_size(y[0])), dv_add(dv_size(x[1]), dv_size(y[1]))),
-		   dv_add(dv_size(x[2]), dv_size(y[2])));
-	e = dv_mul(dv_load(h->pad + row), e);
-	minus = dv_sub(dv_all(0), e);
-	w[0] = cross2(x[2], y[1], y[2], x[1]);
-	w[1] = cross2(x[0], y[2], y[0], x[2]);
-	w[2] = cross2(x[1], y[0], y[1], x[0]);
-	sum = sum3(w[0], w[1], w[2]);
-	up = dm_and(dm_and(dv_gt(w[0], e), dv_gt(w[1], e)), dv_gt(w[2], e));
-	down = dm_and(dm_and(dv_gt(minus, w[0]), dv_gt(minus, w[1])), dv_gt(minus, w[2]));
-	in = dm_and(dm_or(up, down), dv_gt(dv_all(ALD_INF), dv_size(sum)));
-	up = dm_or(dm_or(dv_gt(w[0], e), dv_gt(w[1], e)), dv_gt(w[2], e));
-	down = dm_or(dm_or(dv_gt(minus, w[0]), dv_gt(minus, w[1])), dv_gt(minus, w[2]));
-	r->doubt = ~(dm_bits(in) | dm_bits(dm_and(up, down))) & ALL_LANES;
-	t = herd_t(h, v, row);
-	in = dm_less(dm_less(in, dv_gt(dv_load(h->first + row), t)), dv_gt(t, dv_load(h->last + row)));
-	r->hit = dm_bits(in);
-	dv_store(r->t, t);
-	dv_store(r->u, dv_div(w[1], sum));
-	dv_store(r->v, dv_div(w[2], sum));
+	p.pad = dv_load(h->pad + row);
+	p.first = dv_load(h->first + row);
+	p.last = dv_load(h->last + row);
+	pairs_answer(&p, r);
 }
 
 /* A triangle that these lanes of a row may hit. */

@@ -21,8 +21,8 @@
 static const char *spec[] = {
 	"none:isa=plain", "box:isa=avx2", "sphere:isa=sse", "octree", "octree:index=32,walk=recursion",
 	"octree:node=sphere,leaf=8", "octree:depth=0", "octree:leaf=1,depth=5,price=0",
-	"octree:leaf=1,depth=6,price=0,shape=box", "octree:isa=avx2,leaf=4", "octree:isa=sse",
-	"octree:isa=plain,leaf=8", "bvh8", "bvh8:isa=plain,leaf=1,interleave=1",
+	"octree:leaf=1,depth=6,price=0,shape=box", "octree:isa=avx2", "octree:isa=sse",
+	"octree:isa=plain", "bvh8", "bvh8:isa=plain,leaf=1,interleave=1",
 	"bvh8:isa=sse,leaf=28,interleave=3,split=1",
 	"bvh8:isa=avx2,split=100", "bvh8:isa=avx512,leaf=5,interleave=8",
 	"bvh8:build=fast", "bvh8:build=fast,isa=plain,leaf=1", "bvh8:build=fast,isa=sse,leaf=3",

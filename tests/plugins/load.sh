@@ -171,10 +171,10 @@ plugin bad/bad.so -ffast-math
 says "a plugin that changes the arithmetic" 0 bad '^bad$'
 
 # ---- parameters ----
-says "defaults" 0 octree '^octree:depth=[0-9]+,leaf=[0-9]+,price=[0-9.]+,index=auto,shape=cube,node=box,walk=loop$'
-says "given ones" 0 octree:leaf=3,index=32,price=0.25,depth=1e1 '^octree:depth=10,leaf=3,price=0\.25,index=32,shape=cube,node=box,walk=loop$'
+says "defaults" 0 octree '^octree:depth=[0-9]+,leaf=[0-9]+,price=[0-9.]+,index=auto,shape=cube,node=box,walk=loop,isa=auto$'
+says "given ones" 0 octree:leaf=3,index=32,price=0.25,depth=1e1 '^octree:depth=10,leaf=3,price=0\.25,index=32,shape=cube,node=box,walk=loop,isa=auto$'
 says "a path and parameters" 0 "$own/octree.so:leaf=3" '^octree:depth=[0-9]+,leaf=3,'
-says "an unknown one" 4 octree:leef=3 "^error: accelerator 'octree' has no parameter 'leef'\. Did you mean 'leaf'\? It takes depth \(0\.\.21\), leaf \(1\.\.65535\), price \(0\.\.1000\), index \(auto, 16 or 32\), shape \(cube or box\), node \(box or sphere\), walk \(loop or recursion\)\.$"
+says "an unknown one" 4 octree:leef=3 "^error: accelerator 'octree' has no parameter 'leef'\. Did you mean 'leaf'\? It takes depth \(0\.\.21\), leaf \(1\.\.65535\), price \(0\.\.1000\), index \(auto, 16 or 32\), shape \(cube or box\), node \(box or sphere\), walk \(loop or recursion\), isa \(auto, plain, sse, avx2 or avx512\)\.$"
 refused "there are none" bad:leaf=3 "accelerator 'bad' has no parameter 'leaf'. It takes none."
 for bad in leaf= leaf=0 leaf=65536 leaf=2.5 leaf=x leaf=3x leaf=nan leaf=0x3; do
 	says "$bad" 4 "octree:$bad" "^error: accelerator 'octree': $bad is refused; leaf is a whole number 1\.\.65535 \(.*\)$"

@@ -355,7 +355,9 @@ V void herd_open(const ald_accel *a, const struct herd *h, struct cell *c, uint3
 			dv near = plane_t(h->far_o, h, k, c->middle[k], row);
 
 			UNROLL
-			for (unsigned i = 0; i < 1u << k; i++) {
+			for (unsigned i = 0; i < 4; i++) { /* a length that is known, for -O1's sake */
+				if (i >= 1u << k)
+					continue;
 				en[i + (1u << k)] = dv_max(far, en[i]);
 				ex[7 - i - (1u << k)] = dv_min(near, ex[7 - i]);
 			}

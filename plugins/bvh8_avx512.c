@@ -6,18 +6,10 @@
 #include "bvh8.h"
 
 #if defined __x86_64__
-#include <immintrin.h>
-
-#ifdef __clang__
-#pragma clang attribute push(__attribute__((target("avx2,fma,avx512f,avx512vl"))), apply_to = function)
-#else
-#pragma GCC target("avx2,fma,avx512f,avx512vl")
-#endif
 #define ISA_LEVEL 3
+#include "isa_begin.h"
 #define ISA_NAME bvh8_avx512
 #define ISA_TEXT "avx512"
 #include "bvh8_walk.h"
-#ifdef __clang__
-#pragma clang attribute pop
-#endif
+#include "isa_end.h"
 #endif

@@ -106,7 +106,7 @@ V void q4_turn(q4 a[4])
 
 V q4 q4_negate(q4 a) { return q4_sub(q4_all(-0.0f), a); }
 
-#ifdef HULL_AVX2
+#if ISA_LEVEL >= 2
 typedef __m256 hull;
 
 V hull hull_load(const float *p) { return _mm256_load_ps(p); }
@@ -148,7 +148,7 @@ V hull hull_mul(hull a, hull b) { return (hull){ q4_mul(a.lo, b.lo), q4_mul(a.mi
 /* Numbers that are not negative, with the lowest bits replaced. */
 V hull hull_mark(hull a, uint32_t mask, const uint32_t bits[8])
 {
-#if defined HULL_AVX2
+#if ISA_LEVEL >= 2
 	__m256 x = _mm256_andnot_ps(_mm256_castsi256_ps(_mm256_set1_epi32((int)mask)), a);
 
 	return _mm256_or_ps(x, _mm256_load_ps((const float *)(const void *)bits));

@@ -6,21 +6,13 @@
 #include "bvh8.h"
 
 #if defined __x86_64__
-#include <immintrin.h>
-
-#ifdef __clang__
-#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
-#else
-#pragma GCC target("avx2")
-#endif
-#define HULL_AVX2
+#define ISA_LEVEL 2
+#include "isa_begin.h"
 #include "bvh8_sah.h"
 
 int bvh8_sah_avx2(struct builder *b)
 {
 	return sah(b);
 }
-#ifdef __clang__
-#pragma clang attribute pop
-#endif
+#include "isa_end.h"
 #endif

@@ -6,17 +6,9 @@
 #include "flat.h"
 
 #if defined __x86_64__
-#include <immintrin.h>
-
-#ifdef __clang__
-#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
-#else
-#pragma GCC target("avx2,fma")
-#endif
 #define ISA_LEVEL 2
+#include "isa_begin.h"
 #define ISA_NAME flat_avx2
 #include "flat_walk.h"
-#ifdef __clang__
-#pragma clang attribute pop
-#endif
+#include "isa_end.h"
 #endif

@@ -6,17 +6,9 @@
 #include "flat.h"
 
 #if defined __x86_64__
-#include <immintrin.h>
-
-#ifdef __clang__
-#pragma clang attribute push(__attribute__((target("sse4.2"))), apply_to = function)
-#else
-#pragma GCC target("sse4.2")
-#endif
 #define ISA_LEVEL 1
+#include "isa_begin.h"
 #define ISA_NAME flat_sse
 #include "flat_walk.h"
-#ifdef __clang__
-#pragma clang attribute pop
-#endif
+#include "isa_end.h"
 #endif

@@ -5,16 +5,9 @@
  */
 #if defined __x86_64__
 /* Before all headers: alidade/kernel.h, too, is to know what there is. */
-#ifdef __clang__
-#include <immintrin.h>
-#pragma clang attribute push(__attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma"))), apply_to = function)
-#else
-#pragma GCC target("avx512f,avx512dq,avx512vl,avx2,fma")
-#endif
 #define ISA_LEVEL 3
+#include "isa_begin.h"
 #define ISA_NAME octree_avx512
 #include "octree_trace.h"
-#ifdef __clang__
-#pragma clang attribute pop
-#endif
+#include "isa_end.h"
 #endif

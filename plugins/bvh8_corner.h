@@ -28,25 +28,23 @@ V void d2_store(double *p, d2 a) { _mm_storeu_pd(p, a); }
 V q4 q4_round(d2 a, d2 b) { return _mm_movelh_ps(_mm_cvtpd_ps(a), _mm_cvtpd_ps(b)); }
 V q4 q4_size(q4 a) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), a); }
 #else
-typedef struct {
-	double x[2];
-} d2;
+typedef double d2 __attribute__((vector_size(16)));
+typedef int64_t d2_mask __attribute__((vector_size(16)));
 
-#define EACHD for (unsigned i = 0; i < 2; i++)
-
-V d2 d2_load(const double *p) { return (d2){ { p[0], p[1] } }; }
-V d2 d2_two(double x, double y) { return (d2){ { x, y } }; }
-V d2 d2_floats(const float *p) { return (d2){ { (double)p[0], (double)p[1] } }; }
-V d2 d2_add(d2 a, d2 b) { EACHD a.x[i] += b.x[i]; return a; }
-V d2 d2_sub(d2 a, d2 b) { EACHD a.x[i] -= b.x[i]; return a; }
-V d2 d2_mul(d2 a, d2 b) { EACHD a.x[i] *= b.x[i]; return a; }
-V d2 d2_min(d2 a, d2 b) { EACHD a.x[i] = a.x[i] < b.x[i] ? a.x[i] : b.x[i]; return a; }
-V d2 d2_max(d2 a, d2 b) { EACHD a.x[i] = a.x[i] > b.x[i] ? a.x[i] : b.x[i]; return a; }
-V unsigned d2_same(d2 a, d2 b) { return (a.x[0] == b.x[0]) + 2u * (a.x[1] == b.x[1]); }
-V unsigned d2_less(d2 a, d2 b) { return (a.x[0] < b.x[0]) + 2u * (a.x[1] < b.x[1]); }
-V void d2_store(double *p, d2 a) { EACHD p[i] = a.x[i]; }
-V q4 q4_round(d2 a, d2 b) { return (q4){ { (float)a.x[0], (float)a.x[1], (float)b.x[0], (float)b.x[1] } }; }
-V q4 q4_size(q4 a) { EACHQ a.x[i] = fabsf(a.x[i]); return a; }
+V d2 d2_load(const double *p) { return (d2){ p[0], p[1] }; }
+V d2 d2_two(double x, double y) { return (d2){ x, y }; }
+V d2 d2_floats(const float *p) { return (d2){ (double)p[0], (double)p[1] }; }
+V d2 d2_add(d2 a, d2 b) { return a + b; }
+V d2 d2_sub(d2 a, d2 b) { return a - b; }
+V d2 d2_mul(d2 a, d2 b) { return a * b; }
+V d2 d2_where(d2_mask m, d2 a, d2 b) { return (d2)((m & (d2_mask)a) | (~m & (d2_mask)b)); }
+V d2 d2_min(d2 a, d2 b) { return d2_where(a < b, a, b); }
+V d2 d2_max(d2 a, d2 b) { return d2_where(a > b, a, b); }
+V unsigned d2_same(d2 a, d2 b) { return (a[0] == b[0]) + 2u * (a[1] == b[1]); }
+V unsigned d2_less(d2 a, d2 b) { return (a[0] < b[0]) + 2u * (a[1] < b[1]); }
+V void d2_store(double *p, d2 a) { p[0] = a[0], p[1] = a[1]; }
+V q4 q4_round(d2 a, d2 b) { return (q4){ (float)a[0], (float)a[1], (float)b[0], (float)b[1] }; }
+V q4 q4_size(q4 a) { return f4_size(a); }
 #endif
 
 struct corners { /* x and y, z and 0 */

@@ -11,12 +11,8 @@
 #include <string.h>
 
 #include "bvh8.h"
+#include "f4.h"
 
-#if defined __SSE2__
-#include <immintrin.h>
-#endif
-
-#define V static inline __attribute__((always_inline, unused))
 #define FAR 0x1p100f
 
 #if defined __SSE2__
@@ -60,47 +56,44 @@ V q4 q4_put(q4 a, q4 b, const uint32_t mask[4])
 }
 V void q4_turn(q4 a[4]) { _MM_TRANSPOSE4_PS(a[0], a[1], a[2], a[3]); }
 #else
-typedef struct {
-	float x[4];
-} q4;
+typedef f4 q4;
 
 #define EACHQ for (unsigned i = 0; i < 4; i++)
 
-V q4 q4_all(float x) { return (q4){ { x, x, x, x } }; }
-V q4 q4_load(const float *p) { q4 r; EACHQ r.x[i] = p[i]; return r; }
-V void q4_store(float *p, q4 a) { EACHQ p[i] = a.x[i]; }
-V q4 q4_add(q4 a, q4 b) { EACHQ a.x[i] += b.x[i]; return a; }
-V q4 q4_sub(q4 a, q4 b) { EACHQ a.x[i] -= b.x[i]; return a; }
-V q4 q4_mul(q4 a, q4 b) { EACHQ a.x[i] *= b.x[i]; return a; }
-V q4 q4_min(q4 a, q4 b) { EACHQ a.x[i] = a.x[i] < b.x[i] ? a.x[i] : b.x[i]; return a; }
-V q4 q4_max(q4 a, q4 b) { EACHQ a.x[i] = a.x[i] > b.x[i] ? a.x[i] : b.x[i]; return a; }
-V void q4_whole(q4 a, int32_t n[4]) { EACHQ n[i] = (int32_t)a.x[i]; }
-V q4 q4_three(q4 a) { a.x[3] = 0; return a; }
-V unsigned q4_same(q4 a, q4 b) { unsigned m = 0; EACHQ m |= (unsigned)(a.x[i] == b.x[i]) << i; return m; }
-V unsigned q4_above(q4 a, q4 b) { unsigned m = 0; EACHQ m |= (unsigned)(a.x[i] > b.x[i]) << i; return m; }
+V q4 q4_all(float x) { return f4_all(x); }
+V q4 q4_load(const float *p) { return f4_load(p); }
+V void q4_store(float *p, q4 a) { f4_store(p, a); }
+V q4 q4_add(q4 a, q4 b) { return a + b; }
+V q4 q4_sub(q4 a, q4 b) { return a - b; }
+V q4 q4_mul(q4 a, q4 b) { return a * b; }
+V q4 q4_min(q4 a, q4 b) { return f4_min(a, b); }
+V q4 q4_max(q4 a, q4 b) { return f4_max(a, b); }
+V void q4_whole(q4 a, int32_t n[4]) { EACHQ n[i] = (int32_t)a[i]; }
+V q4 q4_three(q4 a) { a[3] = 0; return a; }
+V unsigned q4_same(q4 a, q4 b) { return i4_bits(a == b); }
+V unsigned q4_above(q4 a, q4 b) { return i4_bits(a > b); }
 V q4 q4_most(q4 a)
 {
-	EACHQ a.x[0] = a.x[0] > a.x[i] ? a.x[0] : a.x[i];
-	return q4_all(a.x[0]);
+	a = f4_max(a, (q4){ a[2], a[3], a[0], a[1] });
+	return f4_max(a, (q4){ a[1], a[0], a[3], a[2] });
 }
 V q4 q4_least(q4 a)
 {
-	EACHQ a.x[0] = a.x[0] < a.x[i] ? a.x[0] : a.x[i];
-	return q4_all(a.x[0]);
+	a = f4_min(a, (q4){ a[2], a[3], a[0], a[1] });
+	return f4_min(a, (q4){ a[1], a[0], a[3], a[2] });
 }
-V q4 q4_last(q4 a) { return q4_all(a.x[3]); }
-V q4 q4_push(q4 a, q4 b) { return (q4){ { b.x[0], a.x[0], a.x[1], a.x[2] } }; }
+V q4 q4_last(q4 a) { return f4_all(a[3]); }
+V q4 q4_push(q4 a, q4 b) { return (q4){ b[0], a[0], a[1], a[2] }; }
 V q4 q4_put(q4 a, q4 b, const uint32_t mask[4])
 {
-	EACHQ a.x[i] = mask[i] ? b.x[i] : a.x[i];
-	return a;
+	return f4_where((i4){ (int32_t)mask[0], (int32_t)mask[1], (int32_t)mask[2], (int32_t)mask[3] }, b, a);
 }
 V void q4_turn(q4 a[4])
 {
 	q4 b[4] = { a[0], a[1], a[2], a[3] };
 
 	for (unsigned k = 0; k < 4; k++)
-		EACHQ a[k].x[i] = b[i].x[k];
+		EACHQ a[k][i] = b[i][k];
 }
 #endif
 
@@ -152,40 +145,17 @@ V hull hull_mark(hull a, uint32_t mask, const uint32_t bits[8])
 	__m256 x = _mm256_andnot_ps(_mm256_castsi256_ps(_mm256_set1_epi32((int)mask)), a);
 
 	return _mm256_or_ps(x, _mm256_load_ps((const float *)(const void *)bits));
-#elif defined __SSE2__
-	__m128 m = _mm_castsi128_ps(_mm_set1_epi32((int)mask));
-	const float *b = (const float *)(const void *)bits;
-
-	return (hull){ _mm_or_ps(_mm_andnot_ps(m, a.lo), _mm_load_ps(b)),
-		       _mm_or_ps(_mm_andnot_ps(m, a.minus_hi), _mm_load_ps(b + 4)) };
 #else
-	for (unsigned i = 0; i < 8; i++) {
-		float *p = i < 4 ? &a.lo.x[i] : &a.minus_hi.x[i - 4];
-		uint32_t x;
+	const i4 *b = (const i4 *)(const void *)bits;
 
-		memcpy(&x, p, sizeof(x));
-		x = (x & ~mask) | bits[i];
-		memcpy(p, &x, sizeof(x));
-	}
-	return a;
+	return (hull){ (f4)(((i4)a.lo & ~(int32_t)mask) | b[0]), (f4)(((i4)a.minus_hi & ~(int32_t)mask) | b[1]) };
 #endif
 }
 
 /* The bits of the least of the eight. */
 V uint32_t hull_least(hull a)
 {
-	q4 m = q4_min(hull_lo(a), hull_minus_hi(a));
-#if defined __SSE2__
-	m = _mm_min_ps(m, _mm_movehl_ps(m, m));
-	return (uint32_t)_mm_cvtsi128_si32(_mm_castps_si128(_mm_min_ss(m, _mm_shuffle_ps(m, m, 1))));
-#else
-	uint32_t bits;
-
-	for (unsigned i = 1; i < 4; i++)
-		m.x[0] = m.x[i] < m.x[0] ? m.x[i] : m.x[0];
-	memcpy(&bits, &m.x[0], sizeof(bits));
-	return bits;
-#endif
+	return (uint32_t)((i4)q4_least(q4_min(hull_lo(a), hull_minus_hi(a))))[0];
 }
 
 V hull hull_none(void)

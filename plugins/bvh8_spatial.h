@@ -193,8 +193,7 @@ static struct split best_spatial(const struct builder *b, const struct range *r,
 
 V void ref_put(struct ref *r, hull h, uint32_t id)
 {
-	q4_store(r->lo, hull_lo(h));
-	q4_store(r->minus_hi, hull_minus_hi(h));
+	ref_store(r, h);
 	r->id = id;
 	r->zero = 0;
 }

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Vectors of doubles, dv: DW lanes, as many as the instruction set has. To be included by one file for each set,
- * after ISA_LEVEL (see simd.h). Each operation is the one of IEEE 754, so that what alidade/kernel.h says in scalars
+ * after ISA_LEVEL (see f4.h). Each operation is the one of IEEE 754, so that what alidade/kernel.h says in scalars
  * can be said in them with the same bits; dv_mul_sub() and dv_sub_mul() apart, which round once where they can, for
  * tests that only reject. min and max are ald_min() and ald_max(): of two zeros, or with a NaN, the second.
  */
@@ -13,7 +13,7 @@
 
 #include "isa.h"
 
-#if ISA_LEVEL > 0
+#if defined __SSE2__
 #include <immintrin.h>
 #endif
 
@@ -79,66 +79,39 @@ M2(and, _mm256_and_pd(a, b))
 M2(or, _mm256_or_pd(a, b))
 M2(less, _mm256_andnot_pd(b, a))
 V uint32_t dm_bits(dm a) { return (uint32_t)_mm256_movemask_pd(a); }
-#elif ISA_LEVEL == 1
-#define DW 2u
-typedef __m128d dv;
-typedef __m128d dm;
-
-V dv dv_load(const double *p) { return _mm_loadu_pd(p); }
-V void dv_store(double *p, dv a) { _mm_storeu_pd(p, a); }
-V dv dv_all(double x) { return _mm_set1_pd(x); }
-D2(add, _mm_add_pd(a, b))
-D2(sub, _mm_sub_pd(a, b))
-D2(mul, _mm_mul_pd(a, b))
-D2(div, _mm_div_pd(a, b))
-D2(min, _mm_min_pd(a, b))
-D2(max, _mm_max_pd(a, b))
-V dv dv_mul_sub(dv a, dv b, dv c) { return _mm_sub_pd(_mm_mul_pd(a, b), c); }
-V dv dv_sub_mul(dv c, dv a, dv b) { return _mm_sub_pd(c, _mm_mul_pd(a, b)); }
-V dv dv_size(dv a) { return _mm_andnot_pd(_mm_set1_pd(-0.0), a); }
-V dm dv_gt(dv a, dv b) { return _mm_cmpgt_pd(a, b); }
-V dm dv_sign(dv a) { return a; }
-V dv dv_pick(dm m, dv a, dv b) { return _mm_blendv_pd(b, a, m); }
-V dv dv_power(dv a) { return _mm_and_pd(a, _mm_castsi128_pd(_mm_set1_epi64x(0x7ffll << 52))); }
-V void dv_single(float *p, dv a) { _mm_storel_pi((__m64 *)p, _mm_cvtpd_ps(a)); }
-M2(and, _mm_and_pd(a, b))
-M2(or, _mm_or_pd(a, b))
-M2(less, _mm_andnot_pd(b, a))
-V uint32_t dm_bits(dm a) { return (uint32_t)_mm_movemask_pd(a); }
 #else
-#define DW 1u
-typedef double dv;
-typedef uint32_t dm;
+#define DW 2u
+typedef double dv __attribute__((vector_size(16)));
+typedef int64_t dm __attribute__((vector_size(16)));
 
-V dv dv_load(const double *p) { return *p; }
-V void dv_store(double *p, dv a) { *p = a; }
-V dv dv_all(double x) { return x; }
+V dv dv_load(const double *p) { return (dv){ p[0], p[1] }; }
+V void dv_store(double *p, dv a) { memcpy(p, &a, sizeof(a)); }
+V dv dv_all(double x) { return (dv){ x, x }; }
+V dv dv_pick(dm m, dv a, dv b) { return (dv)((m & (dm)a) | (~m & (dm)b)); }
 D2(add, a + b)
 D2(sub, a - b)
 D2(mul, a *b)
 D2(div, a / b)
-D2(min, a < b ? a : b)
-D2(max, a > b ? a : b)
+#if defined __SSE2__
+D2(min, _mm_min_pd(a, b))
+D2(max, _mm_max_pd(a, b))
+V void dv_single(float *p, dv a) { _mm_storel_pi((__m64 *)p, _mm_cvtpd_ps(a)); }
+V uint32_t dm_bits(dm a) { return (uint32_t)_mm_movemask_pd((dv)a); }
+#else
+D2(min, dv_pick(a < b, a, b))
+D2(max, dv_pick(a > b, a, b))
+V void dv_single(float *p, dv a) { p[0] = (float)a[0], p[1] = (float)a[1]; }
+V uint32_t dm_bits(dm a) { return (uint32_t)(-a[0] - 2 * a[1]); }
+#endif
 V dv dv_mul_sub(dv a, dv b, dv c) { return a * b - c; }
 V dv dv_sub_mul(dv c, dv a, dv b) { return c - a * b; }
-V dv dv_size(dv a) { return fabs(a); }
+V dv dv_size(dv a) { return (dv)((dm)a & INT64_MAX); }
 V dm dv_gt(dv a, dv b) { return a > b; }
-V dm dv_sign(dv a) { return !!signbit(a); }
-V dv dv_pick(dm m, dv a, dv b) { return m ? a : b; }
-V dv dv_power(dv a)
-{
-	uint64_t b;
-
-	memcpy(&b, &a, sizeof(b));
-	b &= 0x7ffull << 52;
-	memcpy(&a, &b, sizeof(a));
-	return a;
-}
-V void dv_single(float *p, dv a) { *p = (float)a; }
+V dm dv_sign(dv a) { return (dm)a < 0; }
+V dv dv_power(dv a) { return (dv)((dm)a & 0x7ffll << 52); }
 M2(and, a &b)
 M2(or, a | b)
 M2(less, a & ~b)
-V uint32_t dm_bits(dm a) { return a; }
 #endif
 
 #undef D2

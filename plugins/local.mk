@@ -10,7 +10,7 @@ pkglibaccel_LTLIBRARIES += plugins/none.la plugins/sphere.la plugins/box.la plug
 ISA = plugins/isa.h plugins/isa_begin.h plugins/isa_end.h
 
 FLAT = plugins/flat.c plugins/flat_plain.c plugins/flat_sse.c plugins/flat_avx2.c plugins/flat_avx512.c \
-	plugins/flat.h plugins/flat_walk.h plugins/lines.h plugins/simd.h $(ISA)
+	plugins/flat.h plugins/flat_walk.h plugins/lines.h plugins/simd.h plugins/f4.h $(ISA)
 
 plugins_none_la_SOURCES = plugins/none.c $(FLAT)
 plugins_none_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
@@ -38,7 +38,7 @@ plugins_bvh8_la_SOURCES = plugins/bvh8.c plugins/bvh8.h plugins/bvh8_ask.h plugi
 	plugins/bvh8_leaf.h plugins/bvh8_lot.h plugins/bvh8_part.h plugins/bvh8_plain.c \
 	plugins/bvh8_predict.c plugins/bvh8_sah.c plugins/bvh8_sah.h plugins/bvh8_sah_avx2.c \
 	plugins/bvh8_spatial.h plugins/bvh8_split.c plugins/bvh8_sse.c plugins/bvh8_vec.h \
-	plugins/bvh8_vecg.h plugins/bvh8_walk.h plugins/bvh8_wide.c plugins/doubles.h $(ISA) \
+	plugins/bvh8_vecg.h plugins/bvh8_walk.h plugins/bvh8_wide.c plugins/doubles.h plugins/f4.h $(ISA) \
 	plugins/lane_triangle.h plugins/seen.h
 plugins_bvh8_la_CPPFLAGS = $(PLUGIN_CPPFLAGS)
 plugins_bvh8_la_LDFLAGS = $(PLUGIN_LDFLAGS)

@@ -1,20 +1,14 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * Vectors as wide as an instruction set has them. To be included by one file for each set, after ISA_LEVEL:
- * 0 plain C, 1 SSE4.2, 2 AVX2 with FMA, 3 AVX-512F. What is computed with them may differ in its last bit (an
+ * Vectors as wide as an instruction set has them. To be included by one file for each set, after ISA_LEVEL (see
+ * f4.h). What is computed with them may differ in its last bit (an
  * fma rounds once): it only ever rejects.
  */
 #ifndef SIMD_H
 #define SIMD_H
 
-#include <stdint.h>
-
-#if ISA_LEVEL > 0
-#include <immintrin.h>
-#endif
-
-#define V static inline __attribute__((always_inline, unused))
+#include "f4.h"
 
 #if ISA_LEVEL >= 3
 #define LANES 16u
@@ -59,72 +53,19 @@ V uint32_t wide_outside(wide low, wide below, wide high, wide above)
 							  _mm256_cmp_ps(high, above, _CMP_GT_OQ)));
 }
 #else
-V wide wide_mul_add(wide a, wide b, wide c) { return a * b + c; }
-V wide wide_sub_mul(wide c, wide a, wide b) { return c - a * b; }
-#if ISA_LEVEL == 1
-V wide wide_load(const float *p) { return _mm_load_ps(p); }
-V void wide_store(float *p, wide a) { _mm_store_ps(p, a); }
-V wide wide_all(float x) { return _mm_set1_ps(x); }
-V wide wide_min(wide a, wide b) { return _mm_min_ps(a, b); }
-V wide wide_max(wide a, wide b) { return _mm_max_ps(a, b); }
-V wide wide_size(wide a) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), a); }
-V uint32_t wide_more(wide a, wide b) { return (uint32_t)_mm_movemask_ps(_mm_cmpgt_ps(a, b)); }
+V wide wide_load(const float *p) { return f4_load(p); }
+V void wide_store(float *p, wide a) { f4_store(p, a); }
+V wide wide_all(float x) { return f4_all(x); }
+V wide wide_mul_add(wide a, wide b, wide c) { return f4_mul_add(a, b, c); }
+V wide wide_sub_mul(wide c, wide a, wide b) { return f4_sub_mul(c, a, b); }
+V wide wide_min(wide a, wide b) { return f4_min(a, b); }
+V wide wide_max(wide a, wide b) { return f4_max(a, b); }
+V wide wide_size(wide a) { return f4_size(a); }
+V uint32_t wide_more(wide a, wide b) { return f4_more(a, b); }
 V uint32_t wide_outside(wide low, wide below, wide high, wide above)
 {
-	return (uint32_t)_mm_movemask_ps(_mm_and_ps(_mm_cmplt_ps(low, below), _mm_cmpgt_ps(high, above)));
+	return i4_bits((low < below) & (high > above));
 }
-#else
-#define EACH_LANE for (unsigned i = 0; i < LANES; i++)
-
-V wide wide_load(const float *p)
-{
-	wide r;
-
-	__builtin_memcpy(&r, p, sizeof(r));
-	return r;
-}
-
-V void wide_store(float *p, wide a)
-{
-	__builtin_memcpy(p, &a, sizeof(a));
-}
-
-V wide wide_all(float x)
-{
-	return (wide){ x, x, x, x };
-}
-
-V wide wide_min(wide a, wide b)
-{
-	EACH_LANE a[i] = a[i] < b[i] ? a[i] : b[i];
-	return a;
-}
-
-V wide wide_max(wide a, wide b)
-{
-	EACH_LANE a[i] = a[i] > b[i] ? a[i] : b[i];
-	return a;
-}
-
-V wide wide_size(wide a)
-{
-	EACH_LANE a[i] = a[i] < 0 ? -a[i] : a[i];
-	return a;
-}
-
-V uint32_t wide_more(wide a, wide b)
-{
-	uint32_t bits = 0;
-
-	EACH_LANE bits |= (uint32_t)(a[i] > b[i]) << i;
-	return bits;
-}
-
-V uint32_t wide_outside(wide low, wide below, wide high, wide above)
-{
-	return wide_more(below, low) & wide_more(high, above);
-}
-#endif
 #endif
 
 #endif

@@ -4,6 +4,10 @@
  * Files are those of proc(5) and of Linux's cgroups(7); on other systems there are none, and what the machine has in
  * all counts. Pages of files that nobody has changed are given up when memory is short, so they count as left.
  */
+#ifdef HAVE_CONFIG_H
+#include <config.h>
+#endif
+
 #include "base/room.h"
 
 #include <limits.h>

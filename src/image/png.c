@@ -225,7 +225,6 @@ static enum status write_guarded(struct writer *w)
 					   PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA };
 	const struct image_job *job = w->job;
 	const struct image *im = job->image;
-	struct image_form form = { IMAGE_SRGB, !w->pick.alpha };
 	struct diag_pos pos = { .file = job->out->path };
 
 	if (setjmp(png_jmpbuf(w->png))) {
@@ -245,7 +244,7 @@ static enum status write_guarded(struct writer *w)
 	png_set_sRGB_gAMA_and_cHRM(w->png, w->info, PNG_sRGB_INTENT_PERCEPTUAL);
 	write_notes(w);
 	png_write_info(w->png, w->info);
-	image_bytes_init(&w->rows, job, &w->pick, form);
+	image_bytes_init(&w->rows, job, &w->pick, (struct image_form){ IMAGE_SRGB, !w->pick.alpha });
 	for (uint32_t y = 0; y < im->height; y++) {
 		image_bytes_row(&w->rows, y, w->bytes);
 		png_write_row(w->png, w->bytes);

@@ -17,6 +17,10 @@
  * number of samples for all pixels that go on, so that a number of samples tells all of the picture, also of one
  * that time has ended.
  */
+#ifdef HAVE_CONFIG_H
+#include <config.h>
+#endif
+
 #include "render/budget.h"
 
 #include <stdatomic.h>

@@ -1,9 +1,9 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * f4: four floats, as SSE and NEON have them, and compilers everywhere; + - * / of two are what they say. To be included
- * by one file for each instruction set, after ISA_LEVEL: 0 what every processor of the kind has (on aarch64 NEON),
- * 1 SSE4.2, 2 AVX2 with FMA, 3 AVX-512VL. f4_mul_add() and its like round once where they can.
+ * f4: four floats, as SSE and NEON have them, and compilers everywhere; + - * / of two are what they say. To be
+ * included by one file for each instruction set, after ISA_LEVEL: 0 what every processor of the kind has (on aarch64
+ * NEON), 1 SSE4.2, 2 AVX2 with FMA, 3 AVX-512VL. f4_mul_add() and its like round once where they can.
  */
 #ifndef F4_H
 #define F4_H

@@ -180,3 +180,17 @@ void trace_after(ald_ray *r, const ald_hit *hit)
 	r->after_sub[0] = hit->sub[0];
 	r->after_sub[1] = hit->sub[1];
 }
+
+uint32_t trace_seen_by(const struct geometry *g, const ald_hit *hit)
+{
+	const struct prim_level *l = &g->set.level[0], *in;
+	uint32_t id = hit->prim, mask;
+
+	if (id >= l->count)
+		return g->set.unbounded[id - l->count].mask;
+	mask = l->mask ? l->mask[id] : UINT32_MAX;
+	if (prim_level_id(l, &id) != PRIM_INSTANCE)
+		return mask;
+	in = &g->set.level[l->instance[id].level];
+	return in->mask ? mask & in->mask[hit->sub[0]] : mask;
+}

@@ -140,6 +140,9 @@ void trace_occluded(const struct geometry *, uint32_t thread, const ald_ray *, u
 /* Set ray so that the next trace_nearest() finds what lies behind hit (R2). */
 void trace_after(ald_ray *, const ald_hit *);
 
+/* The mask of the primitive that was hit: of an instance, what it and the face inside have in common. */
+uint32_t trace_seen_by(const struct geometry *, const ald_hit *);
+
 /* Normals, barycentrics, textures of a hit. [render] */
 void surface_at(const struct geometry *, const ald_ray *, const ald_hit *, struct surface *);
 /* By how much u and v change along a way on the surface, if the scene asks for them. */

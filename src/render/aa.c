@@ -110,11 +110,20 @@ static double encode(double c, double gamma)
 	return c > 0 ? pow(c, 1 / gamma) : 0;
 }
 
-static double difference(const struct sample *a, const struct sample *b, double gamma)
+/* Kept, as powers take long and a sample has four neighbours. */
+static void look(struct sample *s, double gamma)
 {
-	return fabs(encode(a->colour.r, gamma) - encode(b->colour.r, gamma)) +
-	       fabs(encode(a->colour.g, gamma) - encode(b->colour.g, gamma)) +
-	       fabs(encode(a->colour.b, gamma) - encode(b->colour.b, gamma)) +
+	if (s->looked)
+		return;
+	s->seen = rgb_make(encode(s->colour.r, gamma), encode(s->colour.g, gamma), encode(s->colour.b, gamma));
+	s->looked = true;
+}
+
+static double difference(struct sample *a, struct sample *b, double gamma)
+{
+	look(a, gamma);
+	look(b, gamma);
+	return fabs(a->seen.r - b->seen.r) + fabs(a->seen.g - b->seen.g) + fabs(a->seen.b - b->seen.b) +
 	       fabs(a->transmit - b->transmit);
 }
 
@@ -189,8 +198,8 @@ static bool unlike(struct grid *g, int32_t x, int32_t y, int32_t dx, int32_t dy,
 		   double gamma)
 {
 	int32_t d = (int32_t)g->div, half = d / 2;
-	const struct sample *a = grid_at(g, x * d + half, y * d + half);
-	const struct sample *b = grid_at(g, (x + dx) * d + half, (y + dy) * d + half);
+	struct sample *a = grid_at(g, x * d + half, y * d + half);
+	struct sample *b = grid_at(g, (x + dx) * d + half, (y + dy) * d + half);
 
 	/* grid_at() may have moved the samples. */
 	a = grid_at(g, x * d + half, y * d + half);
@@ -226,7 +235,7 @@ static void pov1_pixel(struct grid *g, int32_t x, int32_t y, const struct render
 static struct aa_pixel pov2_square(struct grid *g, int32_t x, int32_t y, int32_t size, uint32_t level,
 				   const struct render_options *o)
 {
-	const struct sample *c[4];
+	struct sample *c[4];
 	struct aa_pixel out = { .finite = true };
 	bool known = true, refine = false;
 

@@ -15,6 +15,8 @@ struct sample {
 	struct rgb colour; /* working space, premultiplied */
 	struct rgb variance; /* of colour, as an estimate */
 	double transmit;
+	struct rgb seen; /* colour as anti-aliasing compares it, */
+	bool looked; /* once it has */
 };
 
 /* One render thread's own things. */

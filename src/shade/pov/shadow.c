@@ -1,10 +1,12 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * Shadow rays: first whether anything opaque is in the way, for all of them; then, of what is left,
- * every clear surface in order (R2: none is lost, coincident ones included). Each surface crossed
- * multiplies the light by what its layers let through and by the
- * fading of the interior that lies behind.
+ * Shadow rays: whether anything opaque is in the way, and every clear surface in order (R2: none is lost, coincident
+ * ones included). Each surface crossed multiplies the light by what its layers let through and by the fading of the
+ * interior that lies behind.
+ *
+ * Where nothing is clear that is one question. Else rays look for both at once, as most meet nothing, or something
+ * opaque first; those that have crossed several surfaces are asked for anything opaque ahead before they go on.
  */
 #include "shade/pov/shadow.h"
 
@@ -15,6 +17,7 @@
 #include "shade/pov/point.h"
 
 #define BATCH 1024
+#define CROSSED 4 /* clear surfaces: of hair or leaves there may be many before something opaque */
 #define CAUSTICS_POWER 45 /* measured: caustics 1 narrows the light to the 45th power */
 
 static void make_ray(const struct shader *sh, ald_ray *r, const struct shadow *s, uint32_t mask)
@@ -133,42 +136,81 @@ static void cross(const struct shader *sh, struct tree *t, struct shadow *s, ald
 	if (at.anew) {
 		s->org = vec_mad(s->org, s->dir, h->t);
 		s->depth -= h->t;
-		make_ray(sh, r, s, TRACE_SHADOW_CLEAR);
+		make_ray(sh, r, s, r->mask);
 	} else {
 		trace_after(r, h);
 	}
 }
 
-/* The rays i of the batch that are not yet done, through one clear surface after the other. */
-static void filter_batch(const struct shader *sh, struct tree *t, uint32_t thread, struct shadow *s,
-			 uint32_t *live, uint32_t n, struct shade_counts *counts)
+/* Those that anything opaque ahead hides are done; the others look for clear surfaces alone from now on. */
+static uint32_t drop_hidden(const struct shader *sh, struct tree *t, uint32_t thread, struct shadow *s,
+			    uint32_t *live, uint32_t n)
 {
 	ald_ray *ray = t->ray.data;
-	ald_hit *hit = t->hit.data;
+	const uint8_t *hidden = t->hidden.data;
+	uint32_t left = 0;
 
 	for (uint32_t i = 0; i < n; i++)
-		make_ray(sh, &ray[i], &s[live[i]], TRACE_SHADOW_CLEAR);
-	while (n) {
-		uint32_t left = 0;
-
-		trace_nearest(sh->geometry, thread, ray, hit, n, 0);
-		for (uint32_t i = 0; i < n; i++) {
-			struct shadow *one = &s[live[i]];
-
-			if (hit[i].prim == ALD_NONE) {
-				through_air(sh, t, one, fmax(0, ray[i].tmin), one->depth);
-				continue;
-			}
-			counts->shadow_hit++;
-			cross(sh, t, one, &ray[i], &hit[i]);
-			if (shadow_dark(one->colour)) {
-				one->colour = rgb_make(0, 0, 0);
-				continue;
-			}
-			ray[left] = ray[i];
-			live[left++] = live[i];
+		ray[i].mask = TRACE_SHADOW_OPAQUE;
+	trace_occluded(sh->geometry, thread, ray, t->hidden.data, n, 0);
+	for (uint32_t i = 0; i < n; i++) {
+		if (hidden[i]) {
+			s[live[i]].colour = rgb_make(0, 0, 0);
+			continue;
 		}
-		n = left;
+		ray[i].mask = TRACE_SHADOW_CLEAR;
+		ray[left] = ray[i];
+		live[left++] = live[i];
+	}
+	return left;
+}
+
+/* What the rays have met, or that they have not; those which go on are left, and their number is returned. */
+static uint32_t cross_batch(const struct shader *sh, struct tree *t, struct shadow *s, uint32_t *live, uint32_t n)
+{
+	ald_ray *ray = t->ray.data;
+	const ald_hit *hit = t->hit.data;
+	uint32_t left = 0;
+
+	for (uint32_t i = 0; i < n; i++) {
+		struct shadow *one = &s[live[i]];
+
+		if (hit[i].prim == ALD_NONE) {
+			through_air(sh, t, one, fmax(0, ray[i].tmin), one->depth);
+			continue;
+		}
+		if (!(trace_seen_by(sh->geometry, &hit[i]) & ray[i].mask & TRACE_SHADOW_OPAQUE)) {
+			cross(sh, t, one, &ray[i], &hit[i]);
+			if (!shadow_dark(one->colour)) {
+				ray[left] = ray[i];
+				live[left++] = live[i];
+				continue;
+			}
+		}
+		one->colour = rgb_make(0, 0, 0);
+	}
+	return left;
+}
+
+/* Through one clear surface after the other. */
+static void filter_batch(const struct shader *sh, struct tree *t, uint32_t thread, struct shadow *s, uint32_t n,
+			 uint32_t hints, struct shade_counts *counts)
+{
+	ald_ray *ray = t->ray.data;
+	const ald_hit *hit = t->hit.data;
+	uint32_t live[BATCH];
+
+	for (uint32_t i = 0; i < n; i++) {
+		make_ray(sh, &ray[i], &s[i], TRACE_SHADOW_OPAQUE | TRACE_SHADOW_CLEAR);
+		live[i] = i;
+	}
+	for (uint32_t crossed = 0; n; crossed++) {
+		if (crossed == CROSSED)
+			n = drop_hidden(sh, t, thread, s, live, n);
+		trace_nearest(sh->geometry, thread, ray, t->hit.data, n, crossed ? 0 : hints);
+		for (uint32_t i = 0; !crossed && i < n; i++)
+			counts->shadow_hit += hit[i].prim != ALD_NONE;
+		n = cross_batch(sh, t, s, live, n);
 	}
 }
 
@@ -176,25 +218,23 @@ static void trace_batch(const struct shader *sh, struct tree *t, uint32_t thread
 			uint32_t n, uint32_t hints, struct shade_counts *counts)
 {
 	ald_ray *ray = t->ray.data;
-	uint8_t *hidden = t->hidden.data;
-	uint32_t live[BATCH], left = 0;
+	const uint8_t *hidden = t->hidden.data;
 
+	counts->shadow_cast += n;
+	if (sh->clear_shadows) {
+		filter_batch(sh, t, thread, s, n, hints, counts);
+		return;
+	}
 	for (uint32_t i = 0; i < n; i++)
 		make_ray(sh, &ray[i], &s[i], TRACE_SHADOW_OPAQUE);
-	trace_occluded(sh->geometry, thread, ray, hidden, n, hints);
-	counts->shadow_cast += n;
+	trace_occluded(sh->geometry, thread, ray, t->hidden.data, n, hints);
 	for (uint32_t i = 0; i < n; i++) {
-		if (hidden[i]) {
+		counts->shadow_hit += hidden[i];
+		if (hidden[i])
 			s[i].colour = rgb_make(0, 0, 0);
-			counts->shadow_hit++;
-		} else {
-			live[left++] = i;
-		}
+		else if (sh->fog || sh->scene->media_count)
+			through_air(sh, t, &s[i], 0, s[i].depth);
 	}
-	for (uint32_t i = 0; (sh->fog || sh->scene->media_count) && !sh->clear_shadows && i < left; i++)
-		through_air(sh, t, &s[live[i]], 0, s[live[i]].depth);
-	if (left && sh->clear_shadows)
-		filter_batch(sh, t, thread, s, live, left, counts);
 }
 
 /* How far along the ray the thing is that its light is projected through. False: nowhere before the light. */

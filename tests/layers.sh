@@ -16,10 +16,10 @@ src/pattern	base scene include
 src/read	base scene pattern image include
 src/prim	base scene pattern include
 src/accel	base scene prim include
-src/shade	base scene pattern accel/trace.h include
+src/shade	base scene pattern accel/facet.h accel/trace.h include
 src/film	base image
 src/image	base
-src/render	base scene accel/trace.h shade film image include
+src/render	base scene accel/facet.h accel/trace.h shade film image include
 src/look	base scene accel render film image include
 plugins		include
 '

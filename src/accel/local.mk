@@ -2,6 +2,7 @@ src_libalidade_la_SOURCES += \
 	src/accel/brute.c \
 	src/accel/csg.c \
 	src/accel/elf.c src/accel/elf.h \
+	src/accel/facet.c src/accel/facet.h \
 	src/accel/forecast.c \
 	src/accel/geometry.c src/accel/geometry.h \
 	src/accel/host.c src/accel/host.h \

@@ -10,8 +10,6 @@
 #include "accel/geometry.h"
 #include "base/wide.h"
 
-#define LANES 8u
-
 struct lanes { /* axes: kx, ky, kz of each ray */
 	double o[3][LANES], d[3][LANES], v[3][3][LANES]; /* v: corner, axis */
 	double pad[LANES];

@@ -3,6 +3,8 @@
  *
  * Batches of world rays to the accelerator and the unbounded list, and back.
  */
+#include <string.h>
+
 #include "accel/geometry.h"
 #include "accel/verify.h"
 #include "base/process.h"
@@ -11,16 +13,6 @@ static bool sound(const ald_ray *r)
 {
 	return vec_finite(r->org) && vec_finite(r->dir) &&
 	       (r->dir.x != 0 || r->dir.y != 0 || r->dir.z != 0) && r->tmin <= r->tmax;
-}
-
-/* Seen by nothing, and outside of every volume. */
-static void kill_ray(ald_ray *r)
-{
-	r->org = vec_make(0, 0, 0);
-	r->dir = vec_make(1, 0, 0);
-	r->tmin = ALD_INF;
-	r->tmax = -ALD_INF;
-	r->mask = 0;
 }
 
 static void enter_level(const struct prim_level *l, const ald_ray *in, ald_ray *out)
@@ -38,7 +30,7 @@ static void enter_level(const struct prim_level *l, const ald_ray *in, ald_ray *
 	for (unsigned k = 0; k < sizeof(out->reserved) / sizeof(*out->reserved); k++)
 		out->reserved[k] = 0;
 	if (!sound(in))
-		kill_ray(out);
+		trace_nothing(out);
 }
 
 static bool shows_at(const struct geometry *g, struct worker *w, const struct prim_unbounded *u, uint32_t id,
@@ -110,67 +102,107 @@ static void pass_planes(const struct geometry *g, struct worker *w, const ald_ra
 	}
 }
 
+/* Rays in w->ray, of which asked is NULL or what they are in the world. */
+static void room_nearest(const struct geometry *g, struct worker *w, const ald_ray *asked, ald_hit *hit, uint32_t n,
+			 uint32_t hints)
+{
+	bool planes = g->set.unbounded_count > 0, exact = g->precision == ALD_PRECISION_EXACT;
+
+	for (uint32_t i = 0; i < n; i++) {
+		w->plane[i] = planes ? nearest_plane(g, w, &w->ray[i]) : ALD_NONE;
+		hit[i] = (ald_hit){ .t = w->ray[i].tmax, .prim = ALD_NONE };
+	}
+	if (g->view[0].accel)
+		accel_nearest_n(g->plugin, g->view[0].accel, &w->query[0].q, w->ray, hit, n, hints);
+	process_arithmetic(); /* which a plugin should not, but may change */
+	view_settle_n(&g->view[0], w->ray, hit, n);
+	for (uint32_t i = 0; exact && planes && i < n; i++)
+		pass_planes(g, w, &asked[i], i, &hit[i]);
+	for (uint32_t i = 0; planes && i < n; i++) {
+		if (w->plane[i] != ALD_NONE && hit[i].t >= w->ray[i].tmax)
+			hit[i] = (ald_hit){ .t = w->ray[i].tmax, .prim = w->plane[i] };
+	}
+}
+
 void trace_nearest(const struct geometry *g, uint32_t thread, const ald_ray *rays, ald_hit *hits,
 		   uint32_t n, uint32_t hints)
 {
 	struct worker *w = g->worker[thread];
-	bool planes = g->set.unbounded_count > 0, exact = g->precision == ALD_PRECISION_EXACT;
 
 	for (uint32_t first = 0; first < n; first += TRACE_BATCH) {
 		uint32_t m = n - first < TRACE_BATCH ? n - first : TRACE_BATCH;
-		ald_hit *hit = hits + first;
 
-		for (uint32_t i = 0; i < m; i++) {
+		for (uint32_t i = 0; i < m; i++)
 			enter_level(&g->set.level[0], &rays[first + i], &w->ray[i]);
-			w->plane[i] = planes ? nearest_plane(g, w, &w->ray[i]) : ALD_NONE;
-			hit[i] = (ald_hit){ .t = w->ray[i].tmax, .prim = ALD_NONE };
-		}
-		if (g->view[0].accel)
-			accel_nearest_n(g->plugin, g->view[0].accel, &w->query[0].q, w->ray, hit, m,
-					hints);
-		process_arithmetic(); /* which a plugin should not, but may change */
-		view_settle_n(&g->view[0], w->ray, hit, m);
-		for (uint32_t i = 0; exact && planes && i < m; i++)
-			pass_planes(g, w, &rays[first + i], i, &hit[i]);
-		for (uint32_t i = 0; planes && i < m; i++) {
-			if (w->plane[i] != ALD_NONE && hit[i].t >= w->ray[i].tmax)
-				hit[i] = (ald_hit){ .t = w->ray[i].tmax, .prim = w->plane[i] };
-		}
+		room_nearest(g, w, rays + first, hits + first, m, hints);
 	}
 	if (g->verify)
 		verify_nearest(g->verify, thread, rays, hits, n);
+}
+
+/* Rays in w->ray. */
+static void room_occluded(const struct geometry *g, struct worker *w, uint8_t *hidden, uint32_t n, uint32_t hints)
+{
+	bool planes = g->set.unbounded_count > 0;
+	uint32_t live = 0;
+
+	/* Only those that no plane hides go on. */
+	for (uint32_t i = 0; planes && i < n; i++) {
+		hidden[i] = nearest_plane(g, w, &w->ray[i]) != ALD_NONE;
+		if (hidden[i])
+			continue;
+		if (live < i)
+			w->ray[live] = w->ray[i];
+		w->plane[live] = i;
+		w->hidden[live++] = 0;
+	}
+	if (!planes)
+		memset(hidden, 0, n);
+	if (!g->view[0].accel)
+		return;
+	accel_occluded_n(g->plugin, g->view[0].accel, &w->query[0].q, w->ray, planes ? w->hidden : hidden,
+			 planes ? live : n, hints);
+	process_arithmetic();
+	for (uint32_t i = 0; i < live; i++)
+		hidden[w->plane[i]] = w->hidden[i];
 }
 
 void trace_occluded(const struct geometry *g, uint32_t thread, const ald_ray *rays, uint8_t *hidden,
 		    uint32_t n, uint32_t hints)
 {
 	struct worker *w = g->worker[thread];
-	bool planes = g->set.unbounded_count > 0;
 
 	for (uint32_t first = 0; first < n; first += TRACE_BATCH) {
-		uint32_t m = n - first < TRACE_BATCH ? n - first : TRACE_BATCH, live = 0;
+		uint32_t m = n - first < TRACE_BATCH ? n - first : TRACE_BATCH;
 
-		/* Only those that no plane hides go on. */
-		for (uint32_t i = 0; i < m; i++) {
-			ald_ray *r = &w->ray[live];
-
-			enter_level(&g->set.level[0], &rays[first + i], r);
-			hidden[first + i] = planes && nearest_plane(g, w, r) != ALD_NONE;
-			if (hidden[first + i])
-				continue;
-			w->plane[live] = i;
-			w->hidden[live++] = 0;
-		}
-		if (!g->view[0].accel)
-			continue;
-		accel_occluded_n(g->plugin, g->view[0].accel, &w->query[0].q, w->ray, w->hidden, live,
-				 hints);
-		process_arithmetic();
-		for (uint32_t i = 0; i < live; i++)
-			hidden[first + w->plane[i]] = w->hidden[i];
+		for (uint32_t i = 0; i < m; i++)
+			enter_level(&g->set.level[0], &rays[first + i], &w->ray[i]);
+		room_occluded(g, w, hidden + first, m, hints);
 	}
 	if (g->verify)
 		verify_occluded(g->verify, thread, rays, hidden, n);
+}
+
+_Static_assert(TRACE_ROOM <= TRACE_BATCH, "a room's rays are one batch");
+
+bool trace_room(const struct geometry *g, uint32_t thread, struct trace_room *room)
+{
+	if (g->verify || (g->set.unbounded_count && g->precision == ALD_PRECISION_EXACT))
+		return false;
+	room->ray = g->worker[thread]->ray;
+	room->shift = g->set.level[0].shift;
+	room->scale = g->set.level[0].scale;
+	return true;
+}
+
+void trace_room_nearest(const struct geometry *g, uint32_t thread, ald_hit *hit, uint32_t n, uint32_t hints)
+{
+	room_nearest(g, g->worker[thread], NULL, hit, n, hints);
+}
+
+void trace_room_occluded(const struct geometry *g, uint32_t thread, uint8_t *hidden, uint32_t n, uint32_t hints)
+{
+	room_occluded(g, g->worker[thread], hidden, n, hints);
 }
 
 void trace_after(ald_ray *r, const ald_hit *hit)

@@ -10,6 +10,8 @@
 #ifndef ALIDADE_ACCEL_TRACE_H
 #define ALIDADE_ACCEL_TRACE_H
 
+#include <math.h>
+
 #include "alidade/accel.h"
 #include "base/diag.h"
 #include "base/mem.h"
@@ -137,6 +139,31 @@ void trace_nearest(const struct geometry *, uint32_t thread, const ald_ray *, al
 /* hidden[i] = 1 if anything with a bit of the ray's mask is hit in (tmin, tmax]. [render] */
 void trace_occluded(const struct geometry *, uint32_t thread, const ald_ray *, uint8_t *hidden,
 		    uint32_t n, uint32_t hints);
+/*
+ * The same for those who make rays by the thousand and eight at a time: they put them where they are wanted, in the
+ * geometry's own coordinates, in which a point is (p - shift) * scale and a direction scaled as well.
+ */
+struct trace_room {
+	ald_ray *ray; /* TRACE_ROOM of them; what traces them changes them */
+	vec shift;
+	double scale;
+};
+#define TRACE_ROOM 1024u
+/* False: this geometry has to see the rays as they are in the world. */
+bool trace_room(const struct geometry *, uint32_t thread, struct trace_room *);
+/* The first n rays in the room. What is not finite, has no direction or less than no length has to be a
+ * trace_nothing(). [render] */
+void trace_room_nearest(const struct geometry *, uint32_t thread, ald_hit *, uint32_t n, uint32_t hints);
+void trace_room_occluded(const struct geometry *, uint32_t thread, uint8_t *hidden, uint32_t n, uint32_t hints);
+/* Seen by nothing, and outside of every volume. */
+static inline void trace_nothing(ald_ray *r)
+{
+	r->org = (ald_vec){ 0, 0, 0 };
+	r->dir = (ald_vec){ 1, 0, 0 };
+	r->tmin = HUGE_VAL;
+	r->tmax = -HUGE_VAL;
+	r->mask = 0;
+}
 /* Set ray so that the next trace_nearest() finds what lies behind hit (R2). */
 void trace_after(ald_ray *, const ald_hit *);
 

@@ -1,14 +1,18 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  */
+#define _DEFAULT_SOURCE /* madvise() */
 #include "base/mem.h"
 
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
 #define ALIGN 64
 #define CHUNK (64 * 1024)
+#define HUGE_PAGE ((uintptr_t)2 << 20)
 
 /* Stands in the 64 bytes before each block. */
 struct block {
@@ -100,12 +104,27 @@ void *mem_alloc(struct mem_book *book, const char *purpose, size_t bytes)
 	return (char *)b + ALIGN;
 }
 
+/* What is going to be written as a whole is quickly there in huge pages: a tenth of a picture's time. */
+static void in_huge_pages(void *p, size_t bytes)
+{
+#if defined __linux__ && defined MADV_HUGEPAGE
+	uintptr_t from = ((uintptr_t)p + HUGE_PAGE - 1) & ~(HUGE_PAGE - 1), end = ((uintptr_t)p + bytes) & ~(HUGE_PAGE - 1);
+
+	if (from < end)
+		(void)madvise((void *)from, end - from, MADV_HUGEPAGE);
+#else
+	(void)p, (void)bytes;
+#endif
+}
+
 void *mem_zalloc(struct mem_book *book, const char *purpose, size_t bytes)
 {
 	void *p = mem_alloc(book, purpose, bytes);
 
-	if (p)
+	if (p) {
+		in_huge_pages(p, bytes);
 		memset(p, 0, bytes);
+	}
 	return p;
 }
 
@@ -202,8 +221,10 @@ void *arena_zalloc(struct arena *a, size_t bytes)
 {
 	void *p = arena_alloc(a, bytes);
 
-	if (p)
+	if (p) {
+		in_huge_pages(p, bytes);
 		memset(p, 0, bytes);
+	}
 	return p;
 }
 

@@ -15,6 +15,8 @@
 #define WIDE
 #endif
 
+#define LANES 8u /* values that such loops take at a time */
+
 #ifdef __GNUC__
 #define LANED static inline __attribute__((always_inline))
 #else

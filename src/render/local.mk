@@ -10,4 +10,5 @@ src_libalidade_la_SOURCES += \
 	src/render/render.h \
 	src/render/schedule.c \
 	src/render/streams.c src/render/streams.h \
-	src/render/short_wave.c src/render/wave.c src/render/wave.h
+	src/render/short_tile.c src/render/short_wave.c src/render/short_wave.h \
+	src/render/wave.c src/render/wave.h

@@ -16,6 +16,7 @@
 #include "render/budget.h"
 #include "render/fill.h"
 #include "render/render.h"
+#include "render/short_wave.h"
 #include "shade/camera.h"
 
 #define TILE 32
@@ -39,12 +40,15 @@ struct job {
 	struct cache cache; /* of indirect light, INDIRECT_CACHE */
 	struct shader shader;
 	struct worker *worker;
+	struct paint *paint; /* if scene and picture go the short way */
+	bool short_tiles;
 	struct aa_pixel **pixel; /* a tile of them a thread */
 	struct image *image;
 	uint32_t across;
 	atomic_bool stopped, no_memory;
 	pthread_mutex_t lock; /* of what follows, and progress() */
 	uint64_t done;
+	struct nonfinite bad;
 	struct render_counts *counts;
 };
 
@@ -98,41 +102,51 @@ static bool put_pixel(const struct job *j, float *out, const struct aa_pixel *p)
 	return false;
 }
 
-/* Under the lock. */
-static void note_nonfinite(struct render_counts *c, uint32_t x, uint32_t y)
+static float *pixel_at(const struct job *j, uint32_t x, uint32_t y)
 {
-	if (!c->nonfinite || y < c->nonfinite_y || (y == c->nonfinite_y && x < c->nonfinite_x)) {
-		c->nonfinite_x = x;
-		c->nonfinite_y = y;
-	}
-	c->nonfinite++;
+	const struct image *image = j->image;
+	size_t i = (size_t)(y - j->whole.crop_y) * image->width + (x - j->whole.crop_x);
+
+	return image->pixel + i * image->channels;
 }
 
-static void finish_tile(struct job *j, const struct aa_tile *t, const struct aa_pixel *pixel)
+/* The tile is in the picture. */
+static void finish_tile(struct job *j, const struct aa_tile *t, const struct nonfinite *bad)
 {
 	const struct render_options *o = &j->whole;
-	struct image *image = j->image;
 
 	pthread_mutex_lock(&j->lock);
-	for (uint32_t y = 0; y < t->height; y++) {
-		size_t row = (size_t)(t->y - o->crop_y + y) * image->width + (t->x - o->crop_x);
-		float *out = image->pixel + row * image->channels;
-
-		for (uint32_t x = 0; x < t->width; x++, pixel++, out += image->channels) {
-			if (!put_pixel(j, out, pixel))
-				note_nonfinite(j->counts, t->x + x, t->y + y);
-		}
-	}
+	nonfinite_note(&j->bad, bad->count, bad->x, bad->y);
 	j->done += (uint64_t)t->width * t->height;
 	if (o->progress)
 		o->progress(o->arg, j->done, (uint64_t)o->crop_width * o->crop_height);
 	pthread_mutex_unlock(&j->lock);
 }
 
+static bool draw_tile(struct job *j, struct worker *w, const struct aa_tile *t, struct nonfinite *bad)
+{
+	const struct aa_pixel *pixel = j->pixel[w->thread];
+
+	if (j->short_tiles)
+		return short_tile(w, t, pixel_at(j, t->x, t->y), (size_t)j->image->width * j->image->channels, bad);
+	if (!aa_render(w, t, j->pixel[w->thread]))
+		return false;
+	for (uint32_t y = 0; y < t->height; y++) {
+		float *out = pixel_at(j, t->x, t->y + y);
+
+		for (uint32_t x = 0; x < t->width; x++, pixel++, out += j->image->channels) {
+			if (!put_pixel(j, out, pixel))
+				nonfinite_note(bad, 1, t->x + x, t->y + y);
+		}
+	}
+	return true;
+}
+
 static void render_tile(void *arg, uint32_t i, uint32_t thread)
 {
 	struct job *j = arg;
 	struct aa_tile t = tile_at(j, i);
+	struct nonfinite bad = { 0, 0, 0 };
 
 	if (atomic_load(&j->stopped) || atomic_load(&j->no_memory))
 		return;
@@ -140,11 +154,11 @@ static void render_tile(void *arg, uint32_t i, uint32_t thread)
 		atomic_store(&j->stopped, true);
 		return;
 	}
-	if (!aa_render(&j->worker[thread], &t, j->pixel[thread])) {
+	if (!draw_tile(j, &j->worker[thread], &t, &bad)) {
 		atomic_store(j->worker[thread].stopped ? &j->stopped : &j->no_memory, true);
 		return;
 	}
-	finish_tile(j, &t, j->pixel[thread]);
+	finish_tile(j, &t, &bad);
 }
 
 static enum status check(const struct render_options *o, struct diag *d)
@@ -170,6 +184,28 @@ static enum status check(const struct render_options *o, struct diag *d)
 	return STATUS_OK;
 }
 
+/* Where no tree is needed, and the geometry is asked by lanes. */
+static bool make_short(struct job *j, uint32_t threads, struct mem_book *book)
+{
+	struct trace_room room;
+
+	if (!j->shader.plain_only || j->whole.camera_only || j->shader.marks ||
+	    !trace_room(j->shader.geometry, 0, &room))
+		return true;
+	j->paint = mem_alloc(book, "render", (j->shader.scene->texture_count + 1) * sizeof(*j->paint));
+	if (!j->paint)
+		return false;
+	plain_paint(&j->shader, j->paint);
+	for (uint32_t i = 0; i < threads; i++) {
+		j->worker[i].shorts = mem_zalloc(book, "render", sizeof(*j->worker[i].shorts));
+		if (!j->worker[i].shorts)
+			return false;
+		j->worker[i].shorts->paint = j->paint;
+	}
+	j->short_tiles = short_tile_can(&j->worker[0]);
+	return true;
+}
+
 static bool make_workers(struct job *j, uint32_t threads, struct mem_book *book)
 {
 	size_t pixels = (size_t)j->whole.tile * j->whole.tile;
@@ -190,7 +226,7 @@ static bool make_workers(struct job *j, uint32_t threads, struct mem_book *book)
 		if (!j->pixel[i])
 			return false;
 	}
-	return true;
+	return make_short(j, threads, book);
 }
 
 static void free_workers(struct job *j, uint32_t threads)
@@ -202,10 +238,12 @@ static void free_workers(struct job *j, uint32_t threads)
 		buf_release(&j->worker[i].lens);
 		buf_release(&j->worker[i].run);
 		buf_release(&j->worker[i].frame);
+		mem_free(j->worker[i].shorts);
 	}
 	for (uint32_t i = 0; i < threads && j->pixel; i++)
 		mem_free(j->pixel[i]);
 	mem_free(j->worker);
+	mem_free(j->paint);
 	mem_free(j->pixel);
 }
 
@@ -221,6 +259,9 @@ static void sum_counts(const struct job *j, uint32_t threads)
 		j->counts->samples += c->samples;
 	}
 	j->counts->pixels = j->done;
+	j->counts->nonfinite = j->bad.count;
+	j->counts->nonfinite_x = j->bad.x;
+	j->counts->nonfinite_y = j->bad.y;
 }
 
 static double seconds(void)
@@ -307,7 +348,6 @@ static enum status make_image(struct job *j, struct mem_book *book, struct diag 
 
 	if (st)
 		return st;
-	memset(out->pixel, 0, (size_t)out->width * out->height * channels * sizeof(float));
 	out->encoding = IMAGE_LINEAR;
 	out->premultiplied = true;
 	for (uint32_t i = 0; i < channels; i++)
@@ -377,7 +417,7 @@ static void put_budget(struct job *j, const struct budget *b)
 				continue;
 			j->done++;
 			if (!put_pixel(j, out, &p))
-				note_nonfinite(j->counts, x, y);
+				nonfinite_note(&j->bad, 1, x, y);
 		}
 	}
 	budget_tell(b, &j->counts->reached);

@@ -2,138 +2,188 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Camera rays of scenes whose every surface takes the short way (shade/pov/plain.c): from the place in the picture to
- * its colour without a tree, as none would have more than its root. What turns out to need more, as a face between
- * textures, goes the long way from its start.
+ * its colour without a tree, as none would have more than its root. Triangles go eight at a time (plain_lanes.c),
+ * other shapes one by one; and what turns out to need more, as a face between textures, the long way from its start.
  */
-#include "render/wave.h"
+#include "render/short_wave.h"
+
+#include <string.h>
 
 #include "shade/camera.h"
 
-#define BATCH 1024
-
-static bool point_ray(const struct worker *w, const struct sample *s, ald_ray *r)
+static bool asked_to_stop(struct worker *w)
 {
-	const struct render_options *o = w->options;
-	bool there = camera_ray(&w->shader->scene->camera, s->x, s->y, o->width, o->height, &r->org, &r->dir);
-
-	if (!there) { /* the camera sees nothing here */
-		r->org = w->shader->scene->camera.location;
-		r->dir = vec_make(0, 0, 1);
-	}
-	r->tmin = 0;
-	r->tmax = HUGE_VAL;
-	r->mask = there ? TRACE_CAMERA : 0;
-	r->skip = r->after = r->after_sub[0] = r->after_sub[1] = ALD_NONE;
-	return there;
+	w->stopped = w->stopped || (w->options->stop && w->options->stop(w->options->arg));
+	return w->stopped;
 }
 
-static void see_nothing(const struct shader *sh, struct sample *s, bool there)
+static vec into_room(const struct trace_room *room, vec p)
 {
-	s->colour = there ? sh->open[sh->alpha].colour : rgb_make(0, 0, 0);
-	s->transmit = there ? sh->open[sh->alpha].transmit : sh->alpha;
+	return vec_scale(vec_sub(p, room->shift), room->scale);
+}
+
+/* org: where all rays start, if it is one point, or NULL. */
+static void put_ray(const struct short_wave *s, const struct camera_rays *c, const vec *org, uint32_t at, unsigned i)
+{
+	const struct trace_room *room = &s->lanes.room;
+	ald_ray *r = &room->ray[at + i];
+
+	r->org = org ? *org : into_room(room, vec_make(c->org[0][i], c->org[1][i], c->org[2][i]));
+	r->dir = vec_scale(vec_make(c->dir[0][i], c->dir[1][i], c->dir[2][i]), room->scale);
+	r->tmin = 0;
+	r->tmax = HUGE_VAL;
+	r->mask = TRACE_CAMERA;
+	r->skip = r->after = r->after_sub[0] = r->after_sub[1] = ALD_NONE;
+	r->reserved[0] = r->reserved[1] = r->reserved[2] = 0;
+	if (c->there[i] == 0) /* the camera sees nothing here */
+		trace_nothing(r);
+}
+
+static void make_rays(struct worker *w, uint32_t n)
+{
+	const struct render_options *o = w->options;
+	struct short_wave *s = w->shorts;
+	const struct camera *camera = &w->shader->scene->camera;
+	vec org = into_room(&s->lanes.room, camera->location);
+	bool point = camera_is_point(camera);
+	struct camera_rays c;
+
+	for (uint32_t i = n; i % LANES; i++)
+		s->x[i] = s->y[i] = 0;
+	for (uint32_t at = 0; at < n; at += LANES) {
+		camera_rays(camera, s->x + at, s->y + at, o->width, o->height, &c);
+		for (unsigned k = 0; k < 3; k++)
+			memcpy(s->lanes.dir[k] + at, c.dir[k], sizeof(c.dir[k]));
+		for (unsigned i = 0; i < LANES; i++)
+			s->there[at + i] = c.there[i] != 0;
+		for (unsigned i = 0; i < LANES && at + i < n; i++)
+			put_ray(s, &c, point ? &org : NULL, at, i);
+	}
+}
+
+static void see_nothing(const struct shader *sh, bool there, struct seen *out)
+{
+	out->colour = there ? sh->open[sh->alpha].colour : rgb_make(0, 0, 0);
+	out->transmit = there ? sh->open[sh->alpha].transmit : sh->alpha;
+}
+
+/* A hit on something that is no triangle; false: it has to go the long way. */
+static bool see_other(struct worker *w, uint32_t i, const ald_hit *hit)
+{
+	static const uint32_t no_pixel[2] = { 0, 0 }; /* rays are not told theirs on the short way */
+	const struct render_options *o = w->options;
+	const struct short_wave *s = w->shorts;
+	ald_ray r = { .tmax = HUGE_VAL, .mask = TRACE_CAMERA, .skip = ALD_NONE, .after = ALD_NONE,
+		      .after_sub = { ALD_NONE, ALD_NONE } };
+	struct surface at;
+
+	camera_ray(&w->shader->scene->camera, s->x[i], s->y[i], o->width, o->height, &r.org, &r.dir);
+	surface_at(w->shader->geometry, &r, hit, &at);
+	return plain_hit(w->shader, &w->tree, i, r.dir, no_pixel, &at, hit->prim);
 }
 
 /* What the rays hit; how many have to go the long way: those whose place in later is true. */
-static uint32_t see(struct worker *w, uint32_t first, uint32_t n, bool *later)
+static uint32_t see(struct worker *w, uint32_t n, struct seen *out)
 {
-	struct tree *t = &w->tree;
-	const ald_ray *ray = t->ray.data;
-	const ald_hit *hit = t->hit.data;
-	uint32_t left = 0;
+	struct short_wave *s = w->shorts;
+	uint32_t left = 0, hits = 0;
 
 	for (uint32_t i = 0; i < n; i++) {
-		struct sample *s = BUF_AT(&w->sample, struct sample, first + i);
-		struct surface at;
-		uint32_t pixel[2];
+		const ald_hit *hit = &s->lanes.hit[i];
 
-		s->variance = rgb_make(0, 0, 0);
-		s->transmit = 0;
-		later[i] = false;
-		if (hit[i].prim == ALD_NONE) {
-			see_nothing(w->shader, s, ray[i].mask);
+		s->later[i] = false;
+		if (hit->prim == ALD_NONE) {
+			see_nothing(w->shader, s->there[i], &out[i]);
 			continue;
 		}
-		surface_at(w->shader->geometry, &ray[i], &hit[i], &at);
-		wave_pixel(w, s->x, s->y, pixel);
-		later[i] = !plain_hit(w->shader, t, first + i, ray[i].dir, pixel, &at, hit[i].prim);
-		left += later[i];
-		w->counts.hit[RENDER_CAMERA] += !later[i];
+		hits++;
+		if (plain_lanes_take(&s->lanes, w->shader, s->paint, i, hit))
+			continue;
+		out[i].transmit = 0;
+		s->later[i] = !see_other(w, i, hit);
+		left += s->later[i];
 	}
+	w->counts.hit[RENDER_CAMERA] += hits - left;
 	w->counts.cast[RENDER_CAMERA] += n - left;
 	w->counts.samples += n - left;
 	return left;
 }
 
-static bool follow_later(struct worker *w, uint32_t first, uint32_t n, const bool *later, uint32_t left)
+static bool follow_later(struct worker *w, uint32_t n, uint32_t left, struct seen *out)
 {
+	const struct short_wave *s = w->shorts;
 	uint32_t k = 0;
 
 	if (!wave_begin(w))
 		return false;
 	for (uint32_t i = 0; i < n; i++) {
-		const struct sample *s = BUF_AT(&w->sample, struct sample, first + i);
-		struct wave_root root = { .x = s->x, .y = s->y, .key = wave_seeded(w, wave_key(s)) };
+		struct sample at = { .x = s->x[i], .y = s->y[i] };
+		struct wave_root root = { .x = at.x, .y = at.y, .key = wave_seeded(w, wave_key(&at)) };
 
-		if (later[i] && !wave_push(w, &root))
+		if (s->later[i] && !wave_push(w, &root))
 			return false;
 	}
 	if (!wave_follow(w, left))
 		return false;
 	for (uint32_t i = 0; i < n; i++) {
-		if (later[i])
-			wave_take(w, k++, BUF_AT(&w->sample, struct sample, first + i));
+		struct sample at;
+
+		if (!s->later[i])
+			continue;
+		wave_take(w, k++, &at);
+		out[i] = (struct seen){ at.colour, at.transmit };
 	}
 	return true;
 }
 
-static bool batch(struct worker *w, uint32_t first, uint32_t n, uint32_t hints)
+bool wave_short(struct worker *w, uint32_t n, struct seen *out)
 {
-	struct tree *t = &w->tree;
+	uint32_t hints = ALD_COHERENT | (camera_is_point(&w->shader->scene->camera) ? ALD_ONE_ORIGIN : 0), left;
 	struct shade_counts counts = { 0, 0, 0, 0 };
-	bool later[BATCH];
-	uint32_t left;
+	struct short_wave *s = w->shorts;
+	struct tree *t = &w->tree;
 
-	tree_reset(t);
-	t->ray.count = t->hit.count = 0;
-	if (tree_push(t, &t->ray, n) == TREE_NONE || tree_push(t, &t->hit, n) == TREE_NONE)
+	if (asked_to_stop(w))
 		return false;
-	for (uint32_t i = 0; i < n; i++) {
-		const struct sample *s = BUF_AT(&w->sample, struct sample, first + i);
-		ald_ray *r = BUF_AT(&t->ray, ald_ray, i);
-		uint32_t pixel[2];
-
-		point_ray(w, s, r);
-		if (w->shader->marks) {
-			wave_pixel(w, s->x, s->y, pixel);
-			trace_mark(r, pixel, TRACE_FOR_CAMERA);
-		}
-	}
-	trace_nearest(w->shader->geometry, w->thread, t->ray.data, t->hit.data, n, hints);
-	left = see(w, first, n, later);
+	tree_reset(t);
+	plain_lanes_begin(&s->lanes, w->shader, w->thread);
+	make_rays(w, n);
+	trace_room_nearest(w->shader->geometry, w->thread, s->lanes.hit, n, hints);
+	left = see(w, n, out);
+	plain_lanes_light(&s->lanes, w->shader, s->paint, w->thread, ALD_COHERENT, out, &counts);
 	plain_light(w->shader, t, w->thread, ALD_COHERENT, &counts);
 	if (t->no_memory)
 		return false;
 	for (uint32_t i = 0; i < t->plain.count; i++) {
 		const struct plain *p = BUF_AT(&t->plain, struct plain, i);
 
-		BUF_AT(&w->sample, struct sample, p->to)->colour = p->colour;
+		out[p->to].colour = p->colour;
 	}
 	w->counts.cast[RENDER_SHADOW] += counts.shadow_cast;
 	w->counts.hit[RENDER_SHADOW] += counts.shadow_hit;
-	return !left || follow_later(w, first, n, later, left);
+	return !left || follow_later(w, n, left, out);
 }
 
 bool wave_trace_short(struct worker *w, uint32_t first, uint32_t n)
 {
-	uint32_t hints = ALD_COHERENT | (camera_is_point(&w->shader->scene->camera) ? ALD_ONE_ORIGIN : 0);
+	struct short_wave *s = w->shorts;
 
-	for (uint32_t i = 0; i < n; i += BATCH) {
-		if (w->options->stop && w->options->stop(w->options->arg)) {
-			w->stopped = true;
-			return false;
+	for (uint32_t done = 0; done < n; done += SHORT_BATCH) {
+		uint32_t m = n - done < SHORT_BATCH ? n - done : SHORT_BATCH;
+
+		for (uint32_t i = 0; i < m; i++) {
+			s->x[i] = BUF_AT(&w->sample, struct sample, first + done + i)->x;
+			s->y[i] = BUF_AT(&w->sample, struct sample, first + done + i)->y;
 		}
-		if (!batch(w, first + i, n - i < BATCH ? n - i : BATCH, hints))
+		if (!wave_short(w, m, s->seen))
 			return false;
+		for (uint32_t i = 0; i < m; i++) {
+			struct sample *out = BUF_AT(&w->sample, struct sample, first + done + i);
+
+			out->colour = s->seen[i].colour;
+			out->transmit = s->seen[i].transmit;
+			out->variance = rgb_make(0, 0, 0);
+		}
 	}
 	return true;
 }

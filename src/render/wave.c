@@ -337,7 +337,7 @@ bool wave_trace(struct worker *w, uint32_t first, uint32_t n)
 
 	if (camera_has_lens(&w->shader->scene->camera))
 		return lens_trace(w, first, n);
-	if (w->shader->plain_only && !w->options->camera_only)
+	if (w->shorts)
 		return wave_trace_short(w, first, n);
 	if (!wave_begin(w) || tree_push(t, &t->node, n) == TREE_NONE)
 		return false;

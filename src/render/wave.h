@@ -20,6 +20,7 @@ struct sample {
 };
 
 /* One render thread's own things. */
+struct short_wave;
 struct worker {
 	const struct shader *shader;
 	const struct render_options *options;
@@ -31,6 +32,7 @@ struct worker {
 	struct buf lens; /* for focal blur, see lens.c */
 	struct buf run; /* struct path_run: samples being taken */
 	struct buf frame; /* what waits while rays are followed, see wave.c */
+	struct short_wave *shorts; /* for wave_trace_short(), or NULL: there is no short way */
 	bool stopped;
 	struct render_counts counts;
 };
@@ -45,7 +47,7 @@ struct wave_root {
 	uint32_t path; /* and which of the rays that share it */
 };
 
-/* The same if w->shader->plain_only, without trees. */
+/* The same if w->shorts, without trees. */
 bool wave_trace_short(struct worker *w, uint32_t first, uint32_t n);
 
 /* The same in steps, for lens.c: begin, push each ray, follow all; then the tree's nodes from 0 on have

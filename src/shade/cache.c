@@ -23,7 +23,7 @@
 #define ANGLE 0.0603 /* 1 - cos 20 degrees: the same */
 #define BEHIND 0.1 /* share of the radius that a place may lie behind a record's surface */
 #define LEAST_BITS 6 /* of the table of cells: one record has room */
-#define LANES 4
+#define RECORDS 4
 #define PI 3.14159265358979323846
 
 struct cache_cell {
@@ -31,12 +31,12 @@ struct cache_cell {
 	uint32_t first, count; /* its first block; how many records it has */
 };
 
-/* What a question needs of LANES records first. Lanes not used are at no place. */
+/* What a question needs of a block of records first. Lanes not used are at no place. */
 struct block {
-	double p[3][LANES], n[3][LANES];
-	double shrink[LANES]; /* the radius to the power of -2 */
-	double behind[LANES];
-	uint32_t record[LANES];
+	double p[3][RECORDS], n[3][RECORDS];
+	double shrink[RECORDS]; /* the radius to the power of -2 */
+	double behind[RECORDS];
+	uint32_t record[RECORDS];
 };
 
 /* The light of a record as a linear function: of what turns away from its normal and of the way from its place. The
@@ -144,8 +144,8 @@ static bool grow_table(struct cache *c)
 static void put(struct cache *c, const struct cache_cell *cell, uint32_t index)
 {
 	const struct cache_record *r = BUF_AT(&c->record, struct cache_record, index);
-	struct block *b = BUF_AT(&c->block, struct block, cell->first + cell->count / LANES);
-	uint32_t i = cell->count % LANES;
+	struct block *b = BUF_AT(&c->block, struct block, cell->first + cell->count / RECORDS);
+	uint32_t i = cell->count % RECORDS;
 
 	b->p[0][i] = r->p.x, b->p[1][i] = r->p.y, b->p[2][i] = r->p.z;
 	b->n[0][i] = r->n.x, b->n[1][i] = r->n.y, b->n[2][i] = r->n.z;
@@ -203,7 +203,7 @@ static void lay_out(struct cache *c)
 
 	for (uint32_t i = 0; i < 1u << c->bits; i++) {
 		c->cell[i].first = first;
-		first += (c->cell[i].count + LANES - 1) / LANES;
+		first += (c->cell[i].count + RECORDS - 1) / RECORDS;
 		c->cell[i].count = 0;
 	}
 	c->blocks = first;
@@ -246,7 +246,7 @@ static bool make_index(struct cache *c)
 	for (uint32_t i = 0; i < c->blocks; i++) {
 		struct block *b = BUF_AT(&c->block, struct block, i);
 
-		for (uint32_t k = 0; k < LANES; k++)
+		for (uint32_t k = 0; k < RECORDS; k++)
 			b->p[0][k] = (double)NAN;
 	}
 	for (uint32_t i = 0; i < n; i++) {
@@ -263,9 +263,9 @@ struct question {
 };
 
 /* How far out of the reach of each record it is, squared: 1 at its end, and more where it is no good at all. */
-LANED void weigh(const struct block *b, const struct question *q, double out[LANES])
+LANED void weigh(const struct block *b, const struct question *q, double out[RECORDS])
 {
-	for (int i = 0; i < LANES; i++) {
+	for (int i = 0; i < RECORDS; i++) {
 		double x = q->p[0] - b->p[0][i], y = q->p[1] - b->p[1][i], z = q->p[2] - b->p[2][i];
 		double nx = b->n[0][i], ny = b->n[1][i], nz = b->n[2][i];
 		double far = (x * x + y * y + z * z) * b->shrink[i] * q->reach2;
@@ -297,11 +297,11 @@ LANED void foretell(const struct slope *s, const struct cache_record *r, const s
 LANED double ask_cell(const struct cache *c, const struct cache_cell *cell, const struct question *q, double sum[4])
 {
 	const struct block *b = BUF_AT(&c->block, struct block, cell->first);
-	double out[LANES], weights = 0;
+	double out[RECORDS], weights = 0;
 
-	for (uint32_t first = 0; first < cell->count; first += LANES, b++) {
+	for (uint32_t first = 0; first < cell->count; first += RECORDS, b++) {
 		weigh(b, q, out);
-		for (uint32_t i = 0; i < LANES; i++) {
+		for (uint32_t i = 0; i < RECORDS; i++) {
 			double w;
 
 			if (!(out[i] < 1))
@@ -362,11 +362,11 @@ static void warn_cell(const struct cache *c, const struct cache_cell *cell, uint
 		      double *near)
 {
 	const struct block *b = BUF_AT(&c->block, struct block, cell->first);
-	double known = BUF_AT(&c->record, struct cache_record, k)->nearest, out[LANES];
+	double known = BUF_AT(&c->record, struct cache_record, k)->nearest, out[RECORDS];
 
-	for (uint32_t first = 0; first < cell->count; first += LANES, b++) {
+	for (uint32_t first = 0; first < cell->count; first += RECORDS, b++) {
 		weigh(b, q, out);
-		for (uint32_t i = 0; i < LANES; i++) {
+		for (uint32_t i = 0; i < RECORDS; i++) {
 			double x = b->p[0][i] - q->p[0], y = b->p[1][i] - q->p[1], z = b->p[2][i] - q->p[2];
 
 			if (out[i] < 1)

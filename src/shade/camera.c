@@ -167,6 +167,54 @@ bool camera_ray(const struct camera *c, double x, double y, double width, double
 	return make_unit(*org, *dir, dir);
 }
 
+LANED void perspective_lane(const struct camera *c, double x, double y, double width, double height,
+			    struct camera_rays *out, unsigned i)
+{
+	double u = x / width - 0.5, v = 0.5 - y / height, length, inverse, nothing;
+	vec ahead = vec_mad(vec_mad(vec_scale(c->right, u), c->up, v), c->direction, 1);
+
+	length = vec_length(ahead);
+	inverse = 1 / length;
+	nothing = length * 0 + c->location.x * 0 + c->location.y * 0 + c->location.z * 0;
+	out->org[0][i] = c->location.x;
+	out->org[1][i] = c->location.y;
+	out->org[2][i] = c->location.z;
+	out->dir[0][i] = ahead.x * inverse;
+	out->dir[1][i] = ahead.y * inverse;
+	out->dir[2][i] = ahead.z * inverse;
+	out->there[i] = (length > 0) & (nothing == 0) ? 1 : 0;
+}
+
+WIDE static void perspective_all(const struct camera *restrict from, const double *restrict x, const double *restrict y,
+				 double width, double height, struct camera_rays *restrict out)
+{
+	const struct camera c = { .location = from->location, .right = from->right, .up = from->up,
+				  .direction = from->direction };
+
+	for (unsigned i = 0; i < LANES; i++)
+		perspective_lane(&c, x[i], y[i], width, height, out, i);
+}
+
+void camera_rays(const struct camera *c, const double *x, const double *y, double width, double height,
+		 struct camera_rays *out)
+{
+	if (c->kind == CAMERA_PERSPECTIVE) {
+		perspective_all(c, x, y, width, height, out);
+		return;
+	}
+	for (unsigned i = 0; i < LANES; i++) {
+		vec org, dir;
+
+		out->there[i] = camera_ray(c, x[i], y[i], width, height, &org, &dir);
+		out->org[0][i] = org.x;
+		out->org[1][i] = org.y;
+		out->org[2][i] = org.z;
+		out->dir[0][i] = dir.x;
+		out->dir[1][i] = dir.y;
+		out->dir[2][i] = dir.z;
+	}
+}
+
 /* A quarter of the aperture is the lens's radius: the aperture is a diameter, of which POV-Ray's grid
  * of lens points fills the inner half (measured, and so are the two below). The places that POV-Ray's rays through a
  * lens take in a pixel are on a grid of sixteenths from its upper left corner, none on the far sides: their mean is

@@ -6,12 +6,21 @@
 #ifndef ALIDADE_SHADE_CAMERA_H
 #define ALIDADE_SHADE_CAMERA_H
 
+#include "base/wide.h"
 #include "scene/scene.h"
 
 /* The ray through (x, y) of a width x height picture, in pixels from its top left corner; *dir is unit.
  * False: there is none (outside a fisheye's circle; or the camera's direction has no length). */
 bool camera_ray(const struct camera *, double x, double y, double width, double height, vec *org,
 		vec *dir);
+
+/* The same through eight places. */
+struct camera_rays {
+	double org[3][LANES], dir[3][LANES];
+	double there[LANES]; /* 0: there is none */
+};
+void camera_rays(const struct camera *, const double *x, const double *y, double width, double height,
+		 struct camera_rays *);
 
 /* A camera's normal { } bends the ray through (x, y). */
 void camera_bend(const struct scene *, double x, double y, double width, double height, vec *dir);

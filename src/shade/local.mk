@@ -12,6 +12,7 @@ src_libalidade_la_SOURCES += \
 	src/shade/pov/lights.c src/shade/pov/lights.h \
 	src/shade/pov/media.c src/shade/pov/media.h \
 	src/shade/pov/plain.c \
+	src/shade/pov/plain_lanes.c src/shade/pov/plain_lanes.h \
 	src/shade/pov/point.c src/shade/pov/point.h \
 	src/shade/pov/rainbow.c \
 	src/shade/pov/shadow.c src/shade/pov/shadow.h \

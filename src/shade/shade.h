@@ -78,6 +78,9 @@ bool shade_plain_only(const struct shader *);
 void shade_sky_init(struct shader *);
 /* A ray that left the scene. */
 void shade_sky(const struct shader *, struct node *);
+/* The layer of a texture that the short way can take, or NULL; and its own light. */
+const struct layer *plain_layer(const struct shader *, const struct texture *);
+struct rgb plain_base(const struct shader *, const struct layer *);
 /* The short way, if shader.plain: tries a hit of a ray along dir, whose colour is to's; true if it took it. Then the
  * light at all that took it, into the colours in tree.plain. */
 bool plain_hit(const struct shader *, struct tree *, uint32_t to, vec dir, const uint32_t pixel[2],

@@ -27,7 +27,7 @@ bool shade_plain(const struct shader *sh)
 	return true;
 }
 
-static const struct layer *plain_layer(const struct shader *sh, const struct texture *tex)
+const struct layer *plain_layer(const struct shader *sh, const struct texture *tex)
 {
 	const struct layer *l = tex->layer;
 
@@ -49,6 +49,14 @@ bool shade_plain_only(const struct shader *sh)
 			return false;
 	}
 	return true;
+}
+
+/* 0 is added as the long way does: it makes -0 a 0. */
+struct rgb plain_base(const struct shader *sh, const struct layer *l)
+{
+	struct rgb own = rgb_add(rgb_mul(l->finish.ambient, sh->scene->ambient_light), l->finish.emission);
+
+	return rgb_add(rgb_make(0, 0, 0), rgb_mul(rgbft_rgb(l->pigment.colour), own));
 }
 
 bool plain_hit(const struct shader *sh, struct tree *t, uint32_t to, vec dir, const uint32_t pixel[2],
@@ -73,10 +81,7 @@ bool plain_hit(const struct shader *sh, struct tree *t, uint32_t to, vec dir, co
 	p->pixel[0] = pixel[0];
 	p->pixel[1] = pixel[1];
 	p->lit = finish_needs_light(&layer->finish, false);
-	/* 0 is added as the long way does: it makes -0 a 0. */
-	p->colour = rgb_mul(rgbft_rgb(layer->pigment.colour),
-			    rgb_add(rgb_mul(layer->finish.ambient, sh->scene->ambient_light), layer->finish.emission));
-	p->colour = rgb_add(rgb_make(0, 0, 0), p->colour);
+	p->colour = plain_base(sh, layer);
 	p->skip = s->planar ? prim : ALD_NONE;
 	p->light_set = s->light_set;
 	p->both_sides = s->flags & OBJECT_DOUBLE_ILLUMINATE;

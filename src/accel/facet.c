@@ -123,7 +123,8 @@ LANED vec unit_lane(vec a)
 	return vec_scale(a, 1 / vec_length(a));
 }
 
-LANED void place_lane(const struct facet_hits *h, vec shift, double unscale, double scale, struct facets *out, unsigned i)
+LANED void place_lane(const struct facet_hits *h, vec shift, double unscale, double scale, struct facets *out,
+		      unsigned i)
 {
 	vec a = corner_at(h, 0, i), b = corner_at(h, 1, i), c = corner_at(h, 2, i);
 	vec raw = vec_make(h->normal[0][i], h->normal[1][i], h->normal[2][i]), p, n, ns;

@@ -206,25 +206,19 @@ static void towards(const struct plain_lanes *b, uint32_t at, const struct lamp 
 	}
 }
 
-LANED double lane_max(double a, double b)
-{
-	return a > b ? a : b;
-}
-
-/* What shadow_origin(), shadow_depth(), shadow_dark() and finish_shade() say, without branches. */
+/* What plain.c's ask() and finish_shade() say, without branches. */
 LANED void light_lane(vec p, vec n, vec ns, double error, const struct to_lamp *to, const struct paint_lanes *m,
 		      struct rgb colour, vec shift, double scale, struct from_lamp *out, unsigned i)
 {
 	vec dir = vec_make(to->dir[0][i], to->dir[1][i], to->dir[2][i]), org, in;
-	double cosine = vec_dot(ns, dir), depth = to->depth[i], size, reach, amount, sum, nothing;
+	double cosine = vec_dot(ns, dir), depth = to->depth[i], reach, amount, sum, nothing;
 	struct rgb c = rgb_scale(colour, to->part[i]);
 	int behind = (m->both[i] == 0) & !(cosine >= LIGHT_BESIDE);
-	int dark = (fabs(c.r) < 1e-10) & (fabs(c.g) < 1e-10) & (fabs(c.b) < 1e-10);
+	int dark = (fabs(c.r) < SHADOW_DARK) & (fabs(c.g) < SHADOW_DARK) & (fabs(c.b) < SHADOW_DARK);
 	int lit = (m->lit[i] != 0) & (!behind | (m->back[i] != 0)) & !dark;
 
-	org = vec_mad(p, n, vec_dot(n, dir) < 0 ? -error : error);
-	size = lane_max(fabs(p.x), lane_max(fabs(p.y), fabs(p.z))) + depth;
-	reach = depth - 0x1p-40 * size;
+	org = shadow_origin(p, n, error, dir);
+	reach = shadow_depth(p, depth);
 	nothing = org.x * 0 + org.y * 0 + org.z * 0 + dir.x * 0 + dir.y * 0 + dir.z * 0;
 	amount = behind ? m->back[i] : m->diffuse[i];
 	sum = fabs(cosine) * amount * 1 - m->noise[i];

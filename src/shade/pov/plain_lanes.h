@@ -65,7 +65,7 @@ bool plain_lanes_begin(struct plain_lanes *, const struct shader *, uint32_t thr
 bool plain_lanes_take(struct plain_lanes *, const struct shader *, const struct paint *, uint32_t ray,
 		      const ald_hit *);
 /* Colours of all hits taken, by ray, with shadow rays traced. [render] */
-void plain_lanes_light(struct plain_lanes *, const struct shader *, const struct paint *, uint32_t thread, uint32_t hints,
-		       struct seen *, struct shade_counts *);
+void plain_lanes_light(struct plain_lanes *, const struct shader *, const struct paint *, uint32_t thread,
+		       uint32_t hints, struct seen *, struct shade_counts *);
 
 #endif

@@ -13,9 +13,11 @@ void shadow_trace(const struct shader *, struct tree *, uint32_t thread, uint32_
 		  struct shade_counts *);
 
 /* Light that POV-Ray takes for none. */
+#define SHADOW_DARK 1e-10
+
 static inline bool shadow_dark(struct rgb c)
 {
-	return fabs(c.r) < 1e-10 && fabs(c.g) < 1e-10 && fabs(c.b) < 1e-10;
+	return fabs(c.r) < SHADOW_DARK && fabs(c.g) < SHADOW_DARK && fabs(c.b) < SHADOW_DARK;
 }
 
 /* The start of a ray from p on a surface towards dir: off it by its error bound, on dir's side. */

@@ -104,11 +104,12 @@ void *mem_alloc(struct mem_book *book, const char *purpose, size_t bytes)
 	return (char *)b + ALIGN;
 }
 
-/* What is going to be written as a whole is quickly there in huge pages: a tenth of a picture's time. */
+/* What is written as a whole is there sooner in huge pages. */
 static void in_huge_pages(void *p, size_t bytes)
 {
 #if defined __linux__ && defined MADV_HUGEPAGE
-	uintptr_t from = ((uintptr_t)p + HUGE_PAGE - 1) & ~(HUGE_PAGE - 1), end = ((uintptr_t)p + bytes) & ~(HUGE_PAGE - 1);
+	uintptr_t from = ((uintptr_t)p + HUGE_PAGE - 1) & ~(HUGE_PAGE - 1);
+	uintptr_t end = ((uintptr_t)p + bytes) & ~(HUGE_PAGE - 1);
 
 	if (from < end)
 		(void)madvise((void *)from, end - from, MADV_HUGEPAGE);

@@ -182,7 +182,7 @@ LANED void perspective_lane(const struct camera *c, double x, double y, double w
 	out->dir[0][i] = ahead.x * inverse;
 	out->dir[1][i] = ahead.y * inverse;
 	out->dir[2][i] = ahead.z * inverse;
-	out->there[i] = (length > 0) & (nothing == 0) ? 1 : 0;
+	out->there[i] = ((length > 0) & (nothing == 0)) ? 1 : 0;
 }
 
 WIDE static void perspective_all(const struct camera *restrict from, const double *restrict x, const double *restrict y,

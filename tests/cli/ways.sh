@@ -29,12 +29,32 @@ mesh2 {
 		texture { pigment { color rgb <0, 0, 1> } finish { ambient 0.3 } } }
 	face_indices { 2, <0, 1, 2>, 0, 1, 2, <0, 2, 3>, 2 }
 }
+#declare Tent = mesh {
+	smooth_triangle { <-0.5, 0, 0>, <-1, 1, -1>, <0, 1, 0>, <0, 1, -1>, <0.5, 0, 0>, <1, 1, -1> }
+	smooth_triangle { <-0.5, 0, 0>, <-1, 1, 1>, <0, 1, 0>, <0, 1, 1>, <0, 0, 0.6>, <0, 0, 1> }
+	triangle { <0.5, 0, 0>, <0, 1, 0>, <0, 0, 0.6> }
+	triangle { <0.5, 0, 0>, <-0.5, 0, 0>, <0, 0, 0.6> }
+}
+object { Tent translate <-2.6, -1, -1> pigment { color rgb <0.5, 0.6, 1> } finish { diffuse 0.6, 0.4 } }
+object { Tent scale <-1, 1.4, 1> rotate 20 * y translate <2.3, -1, -1.5> pigment { color rgb <1, 0.6, 0.2> }
+	finish { phong 0.5 specular 0.3 ambient 0.2 } double_illuminate }
+object { Tent rotate 70 * z translate <-0.6, -0.8, -1.6> pigment { color rgb 0.9 } finish { brilliance 1.5 } no_shadow }
+mesh2 {
+	vertex_vectors { 5, <1, -1, -3>, <1.6, -1, -3>, <1.6, -0.4, -3>, <1, -0.4, -3>, <1.3, -0.7, -3.3> }
+	texture_list { 2, texture { pigment { color rgb <1, 1, 0> } } texture { pigment { color rgb <0, 1, 1> } } }
+	face_indices { 4, <0, 1, 4>, 0, <1, 2, 4>, 1, <2, 3, 4>, 0, <3, 0, 4>, 1 }
+}
+light_group {
+	light_source { <-2, 3, -5> color rgb <0.5, 0, 0.5> }
+	object { Tent scale 0.6 translate <0, 1.6, -1.2> pigment { color rgb 1 } }
+	global_lights off
+}
 END
 echo '#include "scene.inc"' >short.pov
 { cat short.pov; echo 'sphere { <0, 0, -5e3>, 1 pigment { color rgb 1 } finish { reflection 1 } }'; } >mirror.pov
 { cat short.pov; echo 'sphere { <0, 0, -5e3>, 1 pigment { color rgbt 1 } interior { ior 1.5 } }'; } >glass.pov
 
-for aa in none 2 pov1:threshold=0.1 pov2; do
+for aa in none 2 pov1:threshold=0.1 pov1:threshold=0,depth=3 pov2; do
 	for i in short mirror glass; do
 		ok "$i, $aa" "$ALIDADE" -q -s 81x61 --aa=$aa -o $i.ppm $i.pov
 	done

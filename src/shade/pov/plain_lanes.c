@@ -236,7 +236,7 @@ LANED void light_lane(vec p, vec n, vec ns, double error, const struct to_lamp *
 	out->none[i] = amount <= 0 ? 1 : 0;
 	out->asked[i] = lit ? 1 : 0;
 	out->behind[i] = behind ? 1 : 0;
-	out->sound[i] = (nothing == 0) & ((dir.x != 0) | (dir.y != 0) | (dir.z != 0)) & (0 <= reach) ? 1 : 0;
+	out->sound[i] = ((nothing == 0) & ((dir.x != 0) | (dir.y != 0) | (dir.z != 0)) & (0 <= reach)) ? 1 : 0;
 }
 
 /* Eight hits, whose places are in slices of the batch. */

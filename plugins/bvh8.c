@@ -53,14 +53,14 @@ static int make_tree(struct builder *b)
 #if defined __x86_64__
 	int avx2 = b->a->isa == &bvh8_avx2 || b->a->isa == &bvh8_avx512;
 	int (*sah)(struct builder *) = avx2 ? bvh8_sah_avx2 : bvh8_sah_base;
-	void (*crop)(void *, uint32_t) = avx2 ? bvh8_crop_avx2 : bvh8_crop_base;
+	const struct bvh8_crop *crop = avx2 ? &bvh8_crop_avx2 : &bvh8_crop_base;
 #else
 	int (*sah)(struct builder *) = bvh8_sah_base;
-	void (*crop)(void *, uint32_t) = bvh8_crop_base;
+	const struct bvh8_crop *crop = &bvh8_crop_base;
 #endif
 
 	if (b->fast)
-		return h->progress(h->ctx, 0.05) ? ALD_CANCELLED : bvh8_fast(b, crop, bvh8_desk());
+		return h->progress(h->ctx, 0.05) ? ALD_CANCELLED : bvh8_fast(b, crop);
 	status = h->progress(h->ctx, 0.05) ? ALD_CANCELLED : bvh8_split(b);
 	if (!status)
 		status = h->progress(h->ctx, 0.1) ? ALD_CANCELLED : bvh8_tree(b, sah);

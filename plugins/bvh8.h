@@ -37,6 +37,7 @@
 #define EDGE_ERROR 0x1p-20f
 #define LEVELS_MAX 56u /* of wide nodes, whatever the scene is */
 #define INTERLEAVE_MAX 48u
+#define HUGE_PAGE ((size_t)2 << 20)
 #define STACK_MAX ((WIDTH - 1) * LEVELS_MAX + 2)
 
 /* A reference to a child: a node's number; or a leaf's first block and how many it has; or where in
@@ -145,7 +146,10 @@ struct builder {
 };
 
 void *bvh8_take(const ald_host *, uint64_t n, size_t each, const char *what);
-int bvh8_refs(struct builder *); /* ref[] or key[] from the primitives */
+/* These bytes of p, fresh memory, are got and cleared, before two threads come to one page together and both do it. */
+void bvh8_touch(const void *p, size_t from, size_t to);
+void bvh8_touch_all(const ald_host *, const void *p, size_t bytes); /* each page by one thread */
+int bvh8_refs(struct builder *); /* what all is measured by, and ref[] from the primitives unless it is built fast */
 int bvh8_is_thin(struct builder *); /* are triangles long and thin, so that cutting them would pay? */
 int bvh8_split(struct builder *); /* corner[] and room, if triangles are to be cut */
 int bvh8_is_fast(struct builder *); /* by value, or by how many rays there will be */
@@ -159,11 +163,14 @@ int bvh8_tree(struct builder *, int (*make)(struct builder *)); /* ref[] to id[]
 uint32_t bvh8_top_twigs(uint32_t refs);
 int bvh8_sah_base(struct builder *);
 int bvh8_sah_avx2(struct builder *);
-/* From key[] to all that rays walk through; a desk is what a thread works at. */
-int bvh8_fast(struct builder *, void (*crop)(void *fast, uint32_t desk), size_t desk);
-size_t bvh8_desk(void);
-void bvh8_crop_base(void *fast, uint32_t i);
-void bvh8_crop_avx2(void *fast, uint32_t i);
+/* Jobs of the fast builder, for an instruction set. */
+struct bvh8_crop {
+	void (*key)(void *coder, uint32_t piece);
+	void (*crop)(void *fast, uint32_t desk);
+	size_t desk; /* what a thread works at */
+};
+int bvh8_fast(struct builder *, const struct bvh8_crop *); /* from the primitives to all that rays walk through */
+extern const struct bvh8_crop bvh8_crop_base, bvh8_crop_avx2;
 void bvh8_seat(struct builder *, struct part *, uint32_t root); /* nodes of a task's tree get places */
 int bvh8_widen(struct builder *); /* twig[] to what rays walk through */
 void bvh8_destroy(ald_accel *);

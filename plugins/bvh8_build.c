@@ -8,7 +8,6 @@
 #define _DEFAULT_SOURCE /* madvise() */
 #endif
 #include "bvh8_corner.h"
-#include "bvh8_fast.h"
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -24,113 +23,107 @@ void *bvh8_take(const ald_host *host, uint64_t n, size_t each, const char *what)
 		return NULL;
 	p = host->alloc(host->ctx, n ? (size_t)n * each : 1, what);
 #if defined __linux__ && defined MADV_HUGEPAGE
-	if (p && n * each >= (size_t)2 << 20) { /* walks miss the cache; not the page table, too */
-		uintptr_t from = ((uintptr_t)p + 4095) & ~(uintptr_t)4095;
+	if (p && n * each >= HUGE_PAGE) { /* walks miss the cache; not the page table, too */
+		uintptr_t from = (uintptr_t)p & ~(uintptr_t)4095; /* else the first huge page is none */
 
-		(void)madvise((void *)from, (size_t)(n * each) - 4096, MADV_HUGEPAGE);
+		(void)madvise((void *)from, (uintptr_t)p - from + (size_t)(n * each), MADV_HUGEPAGE);
 	}
 #endif
 	return p;
 }
 
-struct chunk {
-	ald_box box;
-	uint32_t valid; /* primitives that can be hit; then: where its first reference goes */
-	uint32_t all; /* whether all can */
+void bvh8_touch(const void *p, size_t from, size_t to)
+{
+#if defined __linux__ && defined MADV_POPULATE_WRITE
+	uintptr_t at = ((uintptr_t)p + from + 4095) & ~(uintptr_t)4095, end = ((uintptr_t)p + to) & ~(uintptr_t)4095;
+
+	if (end > at)
+		(void)madvise((void *)at, end - at, MADV_POPULATE_WRITE);
+#else
+	(void)p;
+	(void)from;
+	(void)to;
+#endif
+}
+
+struct fresh {
+	const char *p;
+	size_t bytes, before; /* in the first huge page, before p */
 };
+
+static void touch_job(void *arg, uint32_t job)
+{
+	const struct fresh *f = arg;
+	size_t end = (job + (size_t)1) * HUGE_PAGE - f->before;
+
+	bvh8_touch(f->p, job ? end - HUGE_PAGE : 0, end < f->bytes ? end : f->bytes);
+}
+
+void bvh8_touch_all(const ald_host *h, const void *p, size_t bytes)
+{
+	struct fresh f = { p, bytes, (uintptr_t)p % HUGE_PAGE };
+
+	if (h->threads > 1 && bytes > HUGE_PAGE)
+		h->parallel(h->ctx, (uint32_t)((f.before + bytes + HUGE_PAGE - 1) / HUGE_PAGE), touch_job, &f);
+}
 
 struct scan {
 	struct builder *b;
-	struct chunk *chunk;
-	struct grid grid;
+	ald_box *box; /* of a chunk's bounds */
+	uint32_t *valid; /* of a chunk: primitives that can be hit */
 };
 
-/* The triangles with the outermost sides: no other's bounds, grown by the same, can be farther out. */
-struct outer {
-	d2 lo_xy, hi_xy, lo_z, hi_z;
-	uint32_t id[6]; /* low sides, high sides */
-};
-
-V void outer_add(struct outer *o, const struct corners *v, uint32_t id)
+static uint32_t end_of(const ald_prims *p, uint32_t job)
 {
-	d2 lo_xy = d2_min(d2_min(v->xy[0], v->xy[1]), v->xy[2]), lo_z = d2_min(d2_min(v->z[0], v->z[1]), v->z[2]);
-	d2 hi_xy = d2_max(d2_max(v->xy[0], v->xy[1]), v->xy[2]), hi_z = d2_max(d2_max(v->z[0], v->z[1]), v->z[2]);
-	unsigned lo = d2_less(lo_xy, o->lo_xy) | d2_less(lo_z, o->lo_z) << 2;
-	unsigned hi = d2_less(o->hi_xy, hi_xy) | d2_less(o->hi_z, hi_z) << 2;
-
-	if (!(lo | hi))
-		return;
-	o->lo_xy = d2_min(lo_xy, o->lo_xy);
-	o->lo_z = d2_min(lo_z, o->lo_z);
-	o->hi_xy = d2_max(hi_xy, o->hi_xy);
-	o->hi_z = d2_max(hi_z, o->hi_z);
-	for (unsigned k = 0; k < 3; k++) {
-		if (lo >> k & 1)
-			o->id[k] = id;
-		if (hi >> k & 1)
-			o->id[3 + k] = id;
-	}
+	return p->count - job * CHUNK < CHUNK ? p->count : (job + 1) * CHUNK;
 }
 
-/* 0: it can't be hit: some number is none, or two corners are one, and no line meets that. */
-V int can_be_hit(const struct corners *c)
-{
-	unsigned number = 3;
-	d2 none = d2_two(0, 0);
-
-	UNROLL for (unsigned k = 0; k < 3; k++) {
-		number &= d2_same(d2_sub(c->xy[k], c->xy[k]), none);
-		number &= d2_same(d2_sub(c->z[k], c->z[k]), none);
-		if ((d2_same(c->xy[k], c->xy[(k + 1) % 3]) & d2_same(c->z[k], c->z[(k + 1) % 3])) == 3)
-			return 0;
-	}
-	return number == 3;
-}
-
-static void scan_job(void *arg, uint32_t job)
+static void box_job(void *arg, uint32_t job)
 {
 	struct scan *s = arg;
 	const ald_prims *p = s->b->prims;
-	struct chunk c = { ald_box_empty(), 0, 0 };
-	uint32_t end = p->count - job * CHUNK < CHUNK ? p->count : (job + 1) * CHUNK, first = job * CHUNK;
-	struct outer o = { .lo_xy = d2_two(DBL_MAX, DBL_MAX), .hi_xy = d2_two(-DBL_MAX, -DBL_MAX) };
-	struct corners v;
-	ald_box box;
+	ald_box all = ald_box_empty(), box;
 
-	o.lo_z = o.lo_xy;
-	o.hi_z = o.hi_xy;
-	for (unsigned k = 0; k < 6; k++)
-		o.id[k] = first;
-	for (uint32_t id = first; id < end; id++) {
-		int valid = 1;
+	for (uint32_t id = job * CHUNK; id < end_of(p, job); id++) {
+		p->bounds(p, id, &box);
+		ald_box_join(&all, &box);
+	}
+	s->box[job] = all;
+}
 
-		if (id < p->tri_count) {
-			read_corners(p, id, &v);
-			valid = can_be_hit(&v);
-		}
-		c.valid += (uint32_t)valid;
-		if (!valid || id >= p->tri_count) {
-			p->bounds(p, id, &box);
-			ald_box_join(&c.box, &box);
-		} else {
-			outer_add(&o, &v, id);
-		}
+/* Around all bounds(): as the host says, or an older one doesn't. */
+static int find_box(struct scan *s, uint32_t jobs, ald_box *box)
+{
+	const ald_prims *p = s->b->prims;
+	const ald_host *h = s->b->host;
+
+	*box = (ald_box){ { 0, 0, 0 }, { 0, 0, 0 } };
+	if (!p->count)
+		return ALD_OK;
+	if (p->size >= offsetof(ald_prims, box) + sizeof(p->box)) {
+		*box = p->box;
+		if (box->lo.x <= box->hi.x && box->lo.y <= box->hi.y && box->lo.z <= box->hi.z)
+			return ALD_OK;
 	}
-	for (unsigned k = 0; k < 6; k++) {
-		p->bounds(p, o.id[k], &box);
-		ald_box_join(&c.box, &box);
-	}
-	s->chunk[job] = c;
+	s->box = bvh8_take(h, jobs, sizeof(*s->box), "bvh8: building");
+	if (!s->box)
+		return ALD_NO_MEMORY;
+	h->parallel(h->ctx, jobs, box_job, s);
+	*box = ald_box_empty();
+	for (uint32_t i = 0; i < jobs; i++)
+		ald_box_join(box, &s->box[i]);
+	h->free(h->ctx, s->box);
+	return ALD_OK;
 }
 
 int bvh8_can_be_hit(const ald_prims *p, uint32_t id)
 {
-	struct corners v;
+	d4 v[3];
 
 	if (id >= p->tri_count)
 		return 1;
-	read_corners(p, id, &v);
-	return can_be_hit(&v);
+	read_corners(p, id, v);
+	return can_be_hit(v);
 }
 
 static void ref_job(void *arg, uint32_t job)
@@ -138,23 +131,29 @@ static void ref_job(void *arg, uint32_t job)
 	struct scan *s = arg;
 	const struct builder *b = s->b;
 	const ald_prims *p = b->prims;
-	uint32_t end = p->count - job * CHUNK < CHUNK ? p->count : (job + 1) * CHUNK;
-	uint32_t at = s->chunk[job].valid, all = s->chunk[job].all;
+	uint32_t end = end_of(p, job), at = job * CHUNK;
 	struct to_x x = to_x(b->a);
-	hull h;
+	d4 c[3];
 
 	for (uint32_t id = job * CHUNK; id < end; id++) {
-		if (!all && !bvh8_can_be_hit(p, id))
-			continue;
-		h = prim_hull(b->a, &x, p, id);
-		if (b->key) {
-			b->key[at++] = grid_key(&s->grid, hull_mid(h), id);
-			continue;
+		hull h;
+
+		if (id < p->tri_count) {
+			q4 v[3];
+
+			read_corners(p, id, c);
+			if (!can_be_hit(c))
+				continue;
+			corners_x(&x, c, v);
+			h = corners_hull(v);
+		} else {
+			h = prim_hull(b->a, &x, p, id);
 		}
 		ref_store(&b->ref[at], h);
 		b->ref[at].id = id;
 		b->ref[at++].zero = 0;
 	}
+	s->valid[job] = at - job * CHUNK;
 }
 
 /* From the scene's box the coordinates X. The box is that of all bounds(), as in other accelerators: the
@@ -174,18 +173,6 @@ void bvh8_place(ald_accel *a, const ald_box *box)
 	frexp(size, &power);
 	a->scale = ldexp(1, power < -900 || size == 0 ? 900 : -power);
 	a->frame = ald_frame_for(a->prims, &a->box);
-}
-
-/* Cells for the middles, doubled, of all that is in the scene's box. */
-static struct grid scene_grid(const ald_accel *a)
-{
-	float half[4] __attribute__((aligned(16))) = { 0 }, most = 0;
-
-	for (unsigned k = 0; k < 3; k++) {
-		half[k] = (float)((ald_get(&a->box.hi, k) - a->centre[k]) * a->scale);
-		most = half[k] > most ? half[k] : most;
-	}
-	return grid_of(q4_mul(q4_load(half), q4_all(-2)), 4 * most, CELLS);
 }
 
 /* Measured, in nanoseconds: what building fast saves of each triangle, and what its tree costs each ray more, which
@@ -213,36 +200,42 @@ int bvh8_is_fast(struct builder *b)
 	return rays < RAYS_THIN * b->refs || !bvh8_is_thin(b);
 }
 
+/* Boxes in the order of primitives, without gaps. */
+static int make_refs(struct scan *s, uint32_t jobs)
+{
+	struct builder *b = s->b;
+	const ald_host *h = b->host;
+
+	b->ref = bvh8_take(h, b->refs, sizeof(*b->ref), "bvh8: building");
+	s->valid = bvh8_take(h, jobs, sizeof(*s->valid), "bvh8: building");
+	if (!b->ref || !s->valid) {
+		h->free(h->ctx, s->valid);
+		return ALD_NO_MEMORY;
+	}
+	bvh8_touch_all(h, b->ref, b->refs * sizeof(*b->ref));
+	h->parallel(h->ctx, jobs, ref_job, s);
+	b->refs = 0;
+	for (uint32_t i = 0; i < jobs; i++) {
+		if (b->refs < i * CHUNK)
+			memmove(&b->ref[b->refs], &b->ref[i * CHUNK], s->valid[i] * sizeof(*b->ref));
+		b->refs += s->valid[i];
+	}
+	b->room = b->refs;
+	h->free(h->ctx, s->valid);
+	return ALD_OK;
+}
+
 int bvh8_refs(struct builder *b)
 {
-	const ald_host *h = b->host;
-	uint32_t jobs = (b->prims->count + CHUNK - 1) / CHUNK, refs = 0;
-	struct scan s = { .b = b, .chunk = bvh8_take(h, jobs, sizeof(*s.chunk), "bvh8: building") };
-	ald_box box = ald_box_empty();
+	uint32_t jobs = (b->prims->count + CHUNK - 1) / CHUNK;
+	struct scan s = { .b = b };
+	ald_box box;
+	int status = find_box(&s, jobs, &box);
 
-	if (!s.chunk)
-		return ALD_NO_MEMORY;
-	h->parallel(h->ctx, jobs, scan_job, &s);
-	for (uint32_t i = 0; i < jobs; i++) {
-		uint32_t n = s.chunk[i].valid;
-
-		ald_box_join(&box, &s.chunk[i].box);
-		s.chunk[i].all = n == (b->prims->count - i * CHUNK < CHUNK ? b->prims->count - i * CHUNK : CHUNK);
-		s.chunk[i].valid = refs;
-		refs += n;
-	}
-	if (!b->prims->count)
-		box = (ald_box){ { 0, 0, 0 }, { 0, 0, 0 } };
+	if (status)
+		return status;
 	bvh8_place(b->a, &box);
-	b->refs = b->room = refs;
+	b->refs = b->room = b->prims->count;
 	b->a->hasty = b->fast = bvh8_is_fast(b);
-	if (b->fast)
-		b->key = bvh8_take(h, refs, sizeof(*b->key), "bvh8: building");
-	else
-		b->ref = bvh8_take(h, refs, sizeof(*b->ref), "bvh8: building");
-	s.grid = scene_grid(b->a);
-	if (b->ref || b->key)
-		h->parallel(h->ctx, jobs, ref_job, &s);
-	h->free(h->ctx, s.chunk);
-	return b->ref || b->key ? ALD_OK : ALD_NO_MEMORY;
+	return b->fast ? ALD_OK : make_refs(&s, jobs);
 }

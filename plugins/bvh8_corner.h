@@ -8,101 +8,118 @@
 
 #include "bvh8_hull.h"
 
-#if defined __SSE2__
-typedef __m128d d2;
+#if ISA_LEVEL >= 2
+typedef __m256d d4; /* the fourth is 0 */
 
-V d2 d2_load(const double *p) { return _mm_loadu_pd(p); }
-V d2 d2_two(double x, double y) { return _mm_set_pd(y, x); }
-V d2 d2_floats(const float *p)
+V d4 d4_three(const double *p) { return _mm256_maskload_pd(p, _mm256_set_epi64x(0, -1, -1, -1)); }
+V d4 d4_floats(const float *p) { return _mm256_cvtps_pd(_mm_maskload_ps(p, _mm_set_epi32(0, -1, -1, -1))); }
+V d4 d4_all(double x) { return _mm256_set_pd(0, x, x, x); }
+V d4 d4_add(d4 a, d4 b) { return _mm256_add_pd(a, b); }
+V d4 d4_sub(d4 a, d4 b) { return _mm256_sub_pd(a, b); }
+V d4 d4_mul(d4 a, d4 b) { return _mm256_mul_pd(a, b); }
+V d4 d4_min(d4 a, d4 b) { return _mm256_min_pd(a, b); }
+V d4 d4_max(d4 a, d4 b) { return _mm256_max_pd(a, b); }
+V int d4_same(d4 a, d4 b) { return _mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_EQ_OQ)) == 15; }
+V q4 d4_round(d4 a) { return _mm256_cvtpd_ps(a); }
+V void d4_whole(d4 a, int32_t n[4]) { _mm_storeu_si128((__m128i *)(void *)n, _mm256_cvttpd_epi32(a)); }
+#elif defined __SSE2__
+typedef struct {
+	__m128d xy, z; /* z and 0 */
+} d4;
+
+V d4 d4_three(const double *p) { return (d4){ _mm_loadu_pd(p), _mm_load_sd(p + 2) }; }
+V d4 d4_floats(const float *p)
 {
-	return _mm_cvtps_pd(_mm_castsi128_ps(_mm_loadl_epi64((const __m128i *)(const void *)p)));
+	return (d4){ _mm_cvtps_pd(_mm_castsi128_ps(_mm_loadl_epi64((const __m128i *)(const void *)p))),
+		     _mm_set_sd((double)p[2]) };
 }
-V d2 d2_add(d2 a, d2 b) { return _mm_add_pd(a, b); }
-V d2 d2_sub(d2 a, d2 b) { return _mm_sub_pd(a, b); }
-V d2 d2_mul(d2 a, d2 b) { return _mm_mul_pd(a, b); }
-V d2 d2_min(d2 a, d2 b) { return _mm_min_pd(a, b); }
-V d2 d2_max(d2 a, d2 b) { return _mm_max_pd(a, b); }
-V unsigned d2_same(d2 a, d2 b) { return (unsigned)_mm_movemask_pd(_mm_cmpeq_pd(a, b)); }
-V unsigned d2_less(d2 a, d2 b) { return (unsigned)_mm_movemask_pd(_mm_cmplt_pd(a, b)); }
-V void d2_store(double *p, d2 a) { _mm_storeu_pd(p, a); }
-V q4 q4_round(d2 a, d2 b) { return _mm_movelh_ps(_mm_cvtpd_ps(a), _mm_cvtpd_ps(b)); }
-V q4 q4_size(q4 a) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), a); }
+V d4 d4_all(double x) { return (d4){ _mm_set1_pd(x), _mm_set_sd(x) }; }
+V d4 d4_add(d4 a, d4 b) { return (d4){ _mm_add_pd(a.xy, b.xy), _mm_add_pd(a.z, b.z) }; }
+V d4 d4_sub(d4 a, d4 b) { return (d4){ _mm_sub_pd(a.xy, b.xy), _mm_sub_pd(a.z, b.z) }; }
+V d4 d4_mul(d4 a, d4 b) { return (d4){ _mm_mul_pd(a.xy, b.xy), _mm_mul_pd(a.z, b.z) }; }
+V d4 d4_min(d4 a, d4 b) { return (d4){ _mm_min_pd(a.xy, b.xy), _mm_min_pd(a.z, b.z) }; }
+V d4 d4_max(d4 a, d4 b) { return (d4){ _mm_max_pd(a.xy, b.xy), _mm_max_pd(a.z, b.z) }; }
+V int d4_same(d4 a, d4 b)
+{
+	return _mm_movemask_pd(_mm_and_pd(_mm_cmpeq_pd(a.xy, b.xy), _mm_cmpeq_pd(a.z, b.z))) == 3;
+}
+V q4 d4_round(d4 a) { return _mm_movelh_ps(_mm_cvtpd_ps(a.xy), _mm_cvtpd_ps(a.z)); }
+V void d4_whole(d4 a, int32_t n[4])
+{
+	__m128i x = _mm_unpacklo_epi64(_mm_cvttpd_epi32(a.xy), _mm_cvttpd_epi32(a.z));
+
+	_mm_storeu_si128((__m128i *)(void *)n, x);
+}
 #else
 typedef double d2 __attribute__((vector_size(16)));
 typedef int64_t d2_mask __attribute__((vector_size(16)));
+typedef struct {
+	d2 xy, z; /* z and 0 */
+} d4;
 
-V d2 d2_load(const double *p) { return (d2){ p[0], p[1] }; }
-V d2 d2_two(double x, double y) { return (d2){ x, y }; }
-V d2 d2_floats(const float *p) { return (d2){ (double)p[0], (double)p[1] }; }
-V d2 d2_add(d2 a, d2 b) { return a + b; }
-V d2 d2_sub(d2 a, d2 b) { return a - b; }
-V d2 d2_mul(d2 a, d2 b) { return a * b; }
 V d2 d2_where(d2_mask m, d2 a, d2 b) { return (d2)((m & (d2_mask)a) | (~m & (d2_mask)b)); }
-V d2 d2_min(d2 a, d2 b) { return d2_where(a < b, a, b); }
-V d2 d2_max(d2 a, d2 b) { return d2_where(a > b, a, b); }
-V unsigned d2_same(d2 a, d2 b) { return (a[0] == b[0]) + 2u * (a[1] == b[1]); }
-V unsigned d2_less(d2 a, d2 b) { return (a[0] < b[0]) + 2u * (a[1] < b[1]); }
-V void d2_store(double *p, d2 a) { p[0] = a[0], p[1] = a[1]; }
-V q4 q4_round(d2 a, d2 b) { return (q4){ (float)a[0], (float)a[1], (float)b[0], (float)b[1] }; }
-V q4 q4_size(q4 a) { return f4_size(a); }
+V d4 d4_three(const double *p) { return (d4){ { p[0], p[1] }, { p[2], 0 } }; }
+V d4 d4_floats(const float *p) { return (d4){ { (double)p[0], (double)p[1] }, { (double)p[2], 0 } }; }
+V d4 d4_all(double x) { return (d4){ { x, x }, { x, 0 } }; }
+V d4 d4_add(d4 a, d4 b) { return (d4){ a.xy + b.xy, a.z + b.z }; }
+V d4 d4_sub(d4 a, d4 b) { return (d4){ a.xy - b.xy, a.z - b.z }; }
+V d4 d4_mul(d4 a, d4 b) { return (d4){ a.xy * b.xy, a.z * b.z }; }
+V d4 d4_min(d4 a, d4 b) { return (d4){ d2_where(a.xy < b.xy, a.xy, b.xy), d2_where(a.z < b.z, a.z, b.z) }; }
+V d4 d4_max(d4 a, d4 b) { return (d4){ d2_where(a.xy > b.xy, a.xy, b.xy), d2_where(a.z > b.z, a.z, b.z) }; }
+V int d4_same(d4 a, d4 b)
+{
+	d2_mask m = (a.xy == b.xy) & (a.z == b.z);
+
+	return (m[0] & m[1]) != 0;
+}
+V q4 d4_round(d4 a) { return (q4){ (float)a.xy[0], (float)a.xy[1], (float)a.z[0], (float)a.z[1] }; }
+V void d4_whole(d4 a, int32_t n[4])
+{
+	n[0] = (int32_t)a.xy[0], n[1] = (int32_t)a.xy[1], n[2] = (int32_t)a.z[0], n[3] = 0;
+}
 #endif
 
-struct corners { /* x and y, z and 0 */
-	d2 xy[3], z[3];
-};
-
-V void read_kind(const ald_prims *p, uint32_t id, struct corners *c, int as_double)
+V void read_corners(const ald_prims *p, uint32_t id, d4 v[3])
 {
 	const uint32_t *index = p->index + 3 * (size_t)id;
 
-	UNROLL for (unsigned k = 0; k < 3; k++) {
-		size_t i = 3 * (size_t)index[k];
-
-		if (as_double) {
-			const double *v = (const double *)p->vertex + i;
-
-			c->xy[k] = d2_load(v);
-			c->z[k] = d2_two(v[2], 0);
-		} else {
-			const float *v = (const float *)p->vertex + i;
-
-			c->xy[k] = d2_floats(v);
-			c->z[k] = d2_two((double)v[2], 0);
-		}
+	if (p->vertex_double) {
+		UNROLL for (unsigned k = 0; k < 3; k++)
+			v[k] = d4_three((const double *)p->vertex + 3 * (size_t)index[k]);
+	} else {
+		UNROLL for (unsigned k = 0; k < 3; k++)
+			v[k] = d4_floats((const float *)p->vertex + 3 * (size_t)index[k]);
 	}
-}
-
-V void read_corners(const ald_prims *p, uint32_t id, struct corners *c)
-{
-	if (p->vertex_double)
-		read_kind(p, id, c, 1);
-	else
-		read_kind(p, id, c, 0);
 	if (p->origin) {
 		const ald_vec *o = &p->origin[ald_group_of(p, id)];
 
-		UNROLL for (unsigned k = 0; k < 3; k++) {
-			c->xy[k] = d2_add(c->xy[k], d2_two(o->x, o->y));
-			c->z[k] = d2_add(c->z[k], d2_two(o->z, 0));
-		}
+		UNROLL for (unsigned k = 0; k < 3; k++)
+			v[k] = d4_add(v[k], d4_three(&o->x));
 	}
 }
 
+/* 0: it can't be hit: some number is none, or two corners are one, and no line meets that. */
+V int can_be_hit(const d4 v[3])
+{
+	d4 none = d4_add(d4_add(d4_sub(v[0], v[0]), d4_sub(v[1], v[1])), d4_sub(v[2], v[2]));
+
+	return d4_same(none, d4_all(0)) & !(d4_same(v[0], v[1]) | d4_same(v[1], v[2]) | d4_same(v[2], v[0]));
+}
+
 struct to_x { /* the way to X */
-	d2 centre_xy, centre_z, scale;
+	d4 centre, scale;
 };
 
 V struct to_x to_x(const ald_accel *a)
 {
-	return (struct to_x){ d2_two(a->centre[0], a->centre[1]), d2_two(a->centre[2], 0), d2_two(a->scale, a->scale) };
+	return (struct to_x){ d4_three(a->centre), d4_all(a->scale) };
 }
 
 /* The corners' X, rounded to the next floats; each has 0 behind it. */
-V void corners_x(const struct to_x *x, const struct corners *c, q4 out[3])
+V void corners_x(const struct to_x *x, const d4 v[3], q4 out[3])
 {
 	UNROLL for (unsigned k = 0; k < 3; k++)
-		out[k] = q4_round(d2_mul(d2_sub(c->xy[k], x->centre_xy), x->scale),
-				  d2_mul(d2_sub(c->z[k], x->centre_z), x->scale));
+		out[k] = d4_round(d4_mul(d4_sub(v[k], x->centre), x->scale));
 }
 
 /* Two units in the last place further out at most, one at least. */
@@ -120,11 +137,11 @@ V hull corners_hull(const q4 v[3])
 
 V hull triangle_hull(const struct to_x *x, const ald_prims *p, uint32_t id)
 {
-	struct corners c;
+	d4 c[3];
 	q4 v[3];
 
-	read_corners(p, id, &c);
-	corners_x(x, &c, v);
+	read_corners(p, id, c);
+	corners_x(x, c, v);
 	return corners_hull(v);
 }
 

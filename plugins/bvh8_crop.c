@@ -5,12 +5,4 @@
  */
 #include "bvh8_crop.h"
 
-void bvh8_crop_base(void *fast, uint32_t i)
-{
-	crop_job(fast, i);
-}
-
-size_t bvh8_desk(void)
-{
-	return sizeof(struct desk);
-}
+const struct bvh8_crop bvh8_crop_base = { key_job, crop_job, sizeof(struct desk) };

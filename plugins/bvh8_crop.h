@@ -40,7 +40,47 @@ struct desk { /* 64-aligned */
 	uint16_t begin[CROP]; /* of leaves, from the last one */
 };
 
-/* ---- along the curve ---- */
+/* ---- the first curve ---- */
+
+V uint64_t triangle_key(const struct coder *s, const struct to_x *x, const d4 v[3], uint32_t id)
+{
+	int32_t at[4] __attribute__((aligned(16)));
+	d4 lo = d4_sub(d4_min(d4_min(v[0], v[1]), v[2]), x->centre);
+	d4 hi = d4_sub(d4_max(d4_max(v[0], v[1]), v[2]), x->centre);
+
+	d4_whole(d4_sub(d4_mul(d4_add(lo, hi), d4_all(s->scale)), d4_three(s->from)), at);
+	return (uint64_t)morton(at) << 32 | id;
+}
+
+/* Pieces that different threads work at lie apart, as what they write is fresh memory. */
+static void key_job(void *arg, uint32_t job)
+{
+	struct coder *s = arg;
+	const struct builder *b = s->f->b;
+	const ald_prims *p = b->prims;
+	uint32_t threads = b->host->threads, each = (s->pieces + threads - 1) / threads;
+	uint32_t piece = job % threads * each + job / threads, first = piece * PIECE, at = first, end;
+	struct to_x x = to_x(b->a);
+	d4 v[3];
+
+	if (piece >= s->pieces)
+		return;
+	end = p->count - first < PIECE ? p->count : first + PIECE;
+	for (uint32_t id = first; id < end; id++) {
+		if (id >= p->tri_count) {
+			b->key[at++] = grid_key(&s->grid, hull_mid(prim_hull(b->a, &x, p, id)), id);
+			continue;
+		}
+		read_corners(p, id, v);
+		if (can_be_hit(v))
+			b->key[at++] = triangle_key(s, &x, v, id);
+	}
+	s->valid[piece] = at - first;
+	if (p->count > CROP)
+		count_digits(&b->key[first], at - first, 32, (1u << LOW_BITS) - 1, s->f->count[piece]);
+}
+
+/* ---- along a curve ---- */
 
 /* What primitives will be read from, two steps ahead. */
 V void fetch(const ald_prims *p, const uint64_t *key, uint32_t i, uint32_t n)
@@ -97,13 +137,13 @@ static void crop_read(const struct builder *b, const uint64_t *key, uint32_t n, 
 	range_clear(r);
 	for (uint32_t i = 0; i < n; i++) {
 		uint32_t id = (uint32_t)key[i];
-		struct corners c;
+		d4 c[3];
 		hull h;
 
 		fetch(b->prims, key, i, n);
 		if (id < b->prims->tri_count) {
-			read_corners(b->prims, id, &c);
-			corners_x(&x, &c, d->corner[i]);
+			read_corners(b->prims, id, c);
+			corners_x(&x, c, d->corner[i]);
 			h = corners_hull(d->corner[i]);
 		} else {
 			h = prim_hull(b->a, &x, b->prims, id);
@@ -222,6 +262,18 @@ static void crop_block(struct block *to, const struct desk *d, uint32_t first, u
 	block_close(to, v);
 }
 
+/* From..to of fresh memory are about to be written: whoever comes to a new page sees to it that one further on is
+ * cleared. */
+static void crop_reach(const struct fast *f, const void *p, size_t each, uint64_t from, uint64_t to, uint64_t room)
+{
+	size_t before = (uintptr_t)p % HUGE_PAGE, ahead = AHEAD_OF(f->b->host->threads) * HUGE_PAGE;
+	size_t a = (before + from * each) / HUGE_PAGE, b = (before + to * each) / HUGE_PAGE;
+	size_t end = (b + 1) * HUGE_PAGE + ahead - before;
+
+	if (a != b && f->b->host->threads > 1 && end <= room * each)
+		bvh8_touch(p, end - (b - a) * HUGE_PAGE, end);
+}
+
 /* Leaves, and what rays will go down to. */
 static void crop_fill(struct fast *f, struct crop *c, struct desk *d)
 {
@@ -231,6 +283,7 @@ static void crop_fill(struct fast *f, struct crop *c, struct desk *d)
 	uint64_t other = atomic_fetch_add(&f->others, 2 * (uint64_t)others);
 	int room = block + leaves - others <= f->block_room && other + 2 * others <= f->other_room;
 
+	crop_reach(f, a->block, sizeof(*a->block), block, block + leaves - others, f->block_room);
 	d->row.n = c->leaves = leaves;
 	for (uint32_t i = 0; i < leaves; i++) {
 		uint32_t first = d->begin[leaves - 1 - i];
@@ -394,6 +447,7 @@ static void crop_fold(struct fast *f, struct crop *c, struct desk *d, uint32_t k
 	c->tips = d->row.n;
 	c->cost += o.area;
 	first = atomic_fetch_add(&f->nodes, o.n);
+	crop_reach(f, f->b->a->node, sizeof(struct node), first, first + o.n, f->node_room);
 	for (uint32_t i = 0; i < o.n && first + o.n <= f->node_room; i++)
 		fold_node(&f->b->a->node[first + i], d->twig, &d->sprig[i], (uint32_t)first);
 	for (uint32_t k = 0; k < d->row.n; k++) {

@@ -10,9 +10,6 @@
 #include "isa_begin.h"
 #include "bvh8_crop.h"
 
-void bvh8_crop_avx2(void *fast, uint32_t i)
-{
-	crop_job(fast, i);
-}
+const struct bvh8_crop bvh8_crop_avx2 = { key_job, crop_job, sizeof(struct desk) };
 #include "isa_end.h"
 #endif

@@ -11,14 +11,23 @@
 
 #include "bvh8_hull.h"
 
+#define PIECE 32768u /* references that one job sorts together */
 #define CROP 2048u /* references that one tree is made of, at most */
 #define CELLS 128.0f /* to a side, to sort all by */
+#define LOW_BITS 11u /* of a cell's code, sorted by first */
+/* Huge pages to be cleared before anybody writes there: other threads have less time for it than one takes. */
+#define AHEAD_OF(threads) (1 + (threads) / 8)
 #define TIPS 16u /* trees that a crop leaves, at most, */
 #define DEEP 28u /* and how many levels they have */
+
+struct grid { /* of middles, doubled */
+	q4 lo, scale;
+};
 
 struct crop {
 	uint32_t first, count; /* of the keys */
 	uint32_t tips, leaves;
+	uint32_t round; /* of one that is too large: how often it was divided */
 	double cost; /* areas of nodes and of blocks */
 };
 
@@ -28,9 +37,11 @@ struct sprig { /* a node in the making: its children, the largest first; EMPTY: 
 
 struct fast {
 	struct builder *b;
-	uint64_t *spare; /* of keys, for sorting */
+	uint64_t *spare; /* of keys, for sorting: where triangles will be */
+	uint32_t (*count)[1u << LOW_BITS]; /* of a piece of the keys: of each lower digit */
+	int counted;
 	struct crop *crop;
-	uint32_t crops, room;
+	uint32_t crops;
 	/* [TIPS * crops] roots of trees that are done: kid is what rays go down to, count its levels and 1 */
 	struct twig *tip;
 	void *desk; /* where one thread makes trees, one for each */
@@ -38,6 +49,14 @@ struct fast {
 	/* What was asked for so far; there is room for less, perhaps, and then nothing is written behind it. */
 	_Atomic uint64_t nodes, blocks, others;
 	uint64_t node_room, block_room, other_room;
+};
+
+struct coder { /* to cells from doubled middles, less twice the centre */
+	double scale, from[3];
+	struct grid grid; /* the same of hulls */
+	struct fast *f;
+	uint32_t *valid; /* of a piece: primitives that can be hit */
+	uint32_t pieces;
 };
 
 /* The tree's memory is taken before it is known how much of it is needed: for what most meshes take, and some. */
@@ -55,10 +74,6 @@ V void fast_room(const struct builder *b, uint64_t *nodes, uint64_t *blocks, uin
 }
 
 int bvh8_crown(struct fast *); /* from tips to the root */
-
-struct grid { /* of middles, doubled */
-	q4 lo, scale;
-};
 
 /* Bits of x, y and z in turns (Morton). at: whole numbers below 2^10. */
 V uint32_t morton(const int32_t at[4])
@@ -86,6 +101,24 @@ V uint64_t grid_key(const struct grid *g, q4 mid, uint32_t id)
 
 	q4_whole(q4_mul(q4_sub(mid, g->lo), g->scale), at);
 	return (uint64_t)morton(at) << 32 | id;
+}
+
+/* How often there is which digit. Two lists: neighbours mostly have one digit, and would wait for each other. */
+V void count_digits(const uint64_t *key, uint32_t n, uint32_t shift, uint32_t mask, uint32_t *out)
+{
+	uint32_t odd[1u << LOW_BITS];
+	uint32_t i;
+
+	memset(out, 0, (mask + 1) * sizeof(*out));
+	memset(odd, 0, sizeof(odd));
+	for (i = 0; i + 1 < n; i += 2) {
+		out[key[i] >> shift & mask]++;
+		odd[key[i + 1] >> shift & mask]++;
+	}
+	if (i < n)
+		out[key[i] >> shift & mask]++;
+	for (i = 0; i <= mask; i++)
+		out[i] += odd[i];
 }
 
 #endif

@@ -45,6 +45,7 @@ V q4 q4_least(q4 a)
 }
 /* The last lane, in all four. */
 V q4 q4_last(q4 a) { return _mm_shuffle_ps(a, a, 0xff); }
+V q4 q4_size(q4 a) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), a); }
 /* Each lane one further up, and below them b's first. */
 V q4 q4_push(q4 a, q4 b) { return _mm_move_ss(_mm_shuffle_ps(a, a, 0x90), b); }
 /* b where the mask, of all ones or zeros, says so. */
@@ -83,6 +84,7 @@ V q4 q4_least(q4 a)
 	return f4_min(a, (q4){ a[1], a[0], a[3], a[2] });
 }
 V q4 q4_last(q4 a) { return f4_all(a[3]); }
+V q4 q4_size(q4 a) { return f4_size(a); }
 V q4 q4_push(q4 a, q4 b) { return (q4){ b[0], a[0], a[1], a[2] }; }
 V q4 q4_put(q4 a, q4 b, const uint32_t mask[4])
 {

@@ -85,7 +85,7 @@ static void predict_fast(const struct builder *b, double others, ald_memory *out
 	out->kept = sizeof(ald_accel) +
 		    (uint64_t)(refs * (1 - others) * kept_fast[leaf - 1] + refs * others * KEPT_OTHER);
 	out->peak = sizeof(ald_accel) + node * sizeof(struct node) + block * sizeof(struct block) +
-		    other * sizeof(uint32_t) + b->host->threads * bvh8_desk() +
+		    other * sizeof(uint32_t) + b->host->threads * bvh8_crop_base.desk +
 		    (uint64_t)(refs * sizeof(uint64_t) + tips * (3 * sizeof(struct twig) + sizeof(struct ref) +
 								 sizeof(struct sprig)));
 	out->peak = b->refs && out->peak > out->kept ? out->peak : out->kept;

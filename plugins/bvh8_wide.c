@@ -218,15 +218,15 @@ static void fill_block(const struct builder *b, struct block *n, uint32_t ref, u
 	q4 v[3][SEATS];
 
 	UNROLL for (unsigned i = 0; i < SEATS; i++) {
-		struct corners c;
+		d4 c[3];
 		q4 x[3];
 
 		if (i >= count) {
 			block_empty(n, v, i);
 			continue;
 		}
-		read_corners(b->prims, id_of(b, ref + i), &c);
-		corners_x(&to, &c, x);
+		read_corners(b->prims, id_of(b, ref + i), c);
+		corners_x(&to, c, x);
 		block_seat(n, v, i, id_of(b, ref + i), x);
 	}
 	block_close(n, v);

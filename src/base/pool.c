@@ -98,6 +98,10 @@ uint32_t pool_threads(const struct pool *p)
 
 void pool_run(struct pool *p, uint32_t n, pool_job *job, void *arg)
 {
+	if (n == 1) { /* nobody needs to wake up for that */
+		job(arg, 0, 0);
+		return;
+	}
 	pthread_mutex_lock(&p->lock);
 	p->job = job;
 	p->arg = arg;

@@ -42,13 +42,17 @@ static void test_threads(void **state)
 
 	(void)state;
 	mesh_field(&m, 130, 10, 1, 3);
+	mesh_triangle(&m, 0, 1, 0); /* nobody hits this one */
 	mesh_soup(&m, 20000, 5, 1, 11);
+	mesh_torus(&m, (ald_vec){ 1, 2, 3 }, 1e-3, 2e-4, 80, 60); /* each in a cell of the first curve */
+	mesh_torus(&m, (ald_vec){ -3, 2, 1 }, 1e-3, 2e-4, 200, 100);
 	mesh_finish(&m, false, false, false);
 	for (unsigned k = 0; k < sizeof(name) / sizeof(name[0]); k++) {
-		uint64_t sum[3] = { 0 };
+		uint64_t sum[4] = { 0 };
 
-		for (unsigned i = 0; i < 3; i++) {
-			test_host_init(&h, threads[i], 0);
+		for (unsigned i = 0; i < 4; i++) {
+			test_host_init(&h, threads[i % 3], 0);
+			m.prims.size = i < 3 ? (uint32_t)sizeof(m.prims) : offsetof(ald_prims, box); /* an older host */
 			accel_open(a, name[k], &h, &m);
 			a->choice.plugin->walk(a->it, NULL, fold_volume, &sum[i]);
 			accel_close(a);

@@ -6,7 +6,8 @@ EXTRA_PROGRAMS += tests/bench/rays
 tests_bench_rays_SOURCES = tests/bench/rays.c tests/bench/race.c tests/bench/race.h tests/bench/settle.c \
 	tests/bench/settle.h tests/bench/tally.c \
 	tests/bench/worlds.c tests/bench/worlds.h tests/bench/suzanne.c tests/bench/suzanne.h tests/bench/shots.c \
-	tests/bench/directions.h tests/bench/peers.c tests/bench/peers.h tests/unit/rays.c tests/unit/rays.h
+	tests/bench/directions.h tests/bench/forest.c tests/bench/forest.h tests/bench/tree.c \
+	tests/bench/peers.c tests/bench/peers.h tests/unit/rays.c tests/unit/rays.h
 tests_bench_rays_CPPFLAGS = $(AM_CPPFLAGS) -I$(top_srcdir)/src \
 	-DSUZANNE='"$(abs_top_srcdir)/scenes/suzanne/suzanne.pov"'
 tests_bench_rays_LDADD = src/libalidade.la $(EMBREE_LIBS)
@@ -18,7 +19,8 @@ tests_bench_lecture_rays_LDADD = src/libalidade.la
 
 EXTRA_PROGRAMS += tests/bench/scene_files
 tests_bench_scene_files_SOURCES = tests/bench/scene_files.c tests/bench/worlds.c tests/bench/worlds.h \
-	tests/bench/suzanne.c tests/bench/suzanne.h tests/bench/directions.h tests/unit/rays.c tests/unit/rays.h
+	tests/bench/suzanne.c tests/bench/suzanne.h tests/bench/directions.h tests/bench/forest.c tests/bench/forest.h tests/bench/tree.c \
+	tests/unit/rays.c tests/unit/rays.h
 tests_bench_scene_files_CPPFLAGS = $(AM_CPPFLAGS) -I$(top_srcdir)/src \
 	-DSUZANNE='"$(abs_top_srcdir)/scenes/suzanne/suzanne.pov"'
 tests_bench_scene_files_LDADD = src/libalidade.la

@@ -70,9 +70,9 @@ bool peer_there(void)
 	return false;
 }
 
-struct peer_mesh *peer_mesh_new(const ald_prims *prims, uint32_t vertices)
+struct peer_mesh *peer_mesh_new(const ald_prims *prims, uint32_t vertices, const float (*place)[12], uint32_t places)
 {
-	(void)prims, (void)vertices;
+	(void)prims, (void)vertices, (void)place, (void)places;
 	return NULL;
 }
 
@@ -124,7 +124,7 @@ enum { MOST = 1024 };
 
 struct peer {
 	RTCDevice device;
-	RTCScene scene;
+	RTCScene scene, inner; /* inner: what is there many times, or NULL */
 	_Atomic int64_t bytes, peak;
 	double seconds;
 };
@@ -133,6 +133,8 @@ struct peer_mesh {
 	float *vertex;
 	const uint32_t *index;
 	uint32_t vertices, triangles;
+	const float (*place)[12];
+	uint32_t places;
 };
 
 bool peer_there(void)
@@ -140,10 +142,12 @@ bool peer_there(void)
 	return true;
 }
 
-struct peer_mesh *peer_mesh_new(const ald_prims *prims, uint32_t vertices)
+struct peer_mesh *peer_mesh_new(const ald_prims *prims, uint32_t vertices, const float (*place)[12], uint32_t places)
 {
 	struct peer_mesh *m = calloc(1, sizeof(*m));
 
+	m->place = place;
+	m->places = places;
 	m->vertices = vertices;
 	m->triangles = prims->tri_count;
 	m->index = prims->index;
@@ -160,6 +164,9 @@ void peer_mesh_free(struct peer_mesh *m)
 	free(m);
 }
 
+static const enum RTCBuildQuality build_quality[] = { RTC_BUILD_QUALITY_LOW, RTC_BUILD_QUALITY_MEDIUM,
+						      RTC_BUILD_QUALITY_HIGH };
+
 static bool monitor(void *ptr, ssize_t bytes, bool post)
 {
 	struct peer *p = ptr;
@@ -171,13 +178,44 @@ static bool monitor(void *ptr, ssize_t bytes, bool post)
 	return true;
 }
 
+static RTCScene new_scene(const struct peer *p, const struct peer_config *c)
+{
+	RTCScene scene = rtcNewScene(p->device);
+
+	rtcSetSceneFlags(scene, c->robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
+	rtcSetSceneBuildQuality(scene, build_quality[c->quality]);
+	return scene;
+}
+
+static void add_mesh(const struct peer *p, RTCScene scene, const struct peer_config *c, const struct peer_mesh *m)
+{
+	RTCGeometry g = rtcNewGeometry(p->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+
+	rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, m->index, 0, 12, m->triangles);
+	rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, m->vertex, 0, 12, m->vertices);
+	rtcSetGeometryBuildQuality(g, build_quality[c->quality]);
+	rtcCommitGeometry(g);
+	rtcAttachGeometry(scene, g);
+	rtcReleaseGeometry(g);
+}
+
+static void add_places(struct peer *p, const struct peer_mesh *m)
+{
+	for (uint32_t i = 0; i < m->places; i++) {
+		RTCGeometry g = rtcNewGeometry(p->device, RTC_GEOMETRY_TYPE_INSTANCE);
+
+		rtcSetGeometryInstancedScene(g, p->inner);
+		rtcSetGeometryTransform(g, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, m->place[i]);
+		rtcCommitGeometry(g);
+		rtcAttachGeometry(p->scene, g);
+		rtcReleaseGeometry(g);
+	}
+}
+
 struct peer *peer_open(const struct peer_config *c, const struct peer_mesh *m)
 {
-	static const enum RTCBuildQuality quality[] = { RTC_BUILD_QUALITY_LOW, RTC_BUILD_QUALITY_MEDIUM,
-							RTC_BUILD_QUALITY_HIGH };
 	struct peer *p = calloc(1, sizeof(*p));
 	char config[160];
-	RTCGeometry g;
 	double start;
 
 	snprintf(config, sizeof(config), "threads=%u,set_affinity=0,hugepages=%d%s%s", c->threads, c->huge,
@@ -192,18 +230,16 @@ struct peer *peer_open(const struct peer_config *c, const struct peer_mesh *m)
 		return NULL;
 	}
 	rtcSetDeviceMemoryMonitorFunction(p->device, monitor, p);
-	p->scene = rtcNewScene(p->device);
-	rtcSetSceneFlags(p->scene, c->robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
-	rtcSetSceneBuildQuality(p->scene, quality[c->quality]);
-	g = rtcNewGeometry(p->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-	rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, m->index, 0, 12, m->triangles);
-	rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, m->vertex, 0, 12, m->vertices);
-	rtcSetGeometryBuildQuality(g, quality[c->quality]);
-	rtcCommitGeometry(g);
-	rtcAttachGeometry(p->scene, g);
-	rtcReleaseGeometry(g);
+	p->scene = new_scene(p, c);
+	if (m->place)
+		p->inner = new_scene(p, c);
+	add_mesh(p, m->place ? p->inner : p->scene, c, m);
 	p->bytes = p->peak = 0;
 	start = clock_seconds();
+	if (m->place) {
+		rtcCommitScene(p->inner);
+		add_places(p, m);
+	}
 	rtcCommitScene(p->scene);
 	p->seconds = clock_seconds() - start;
 	return p;
@@ -227,6 +263,8 @@ double peer_seconds(const struct peer *p)
 void peer_close(struct peer *p)
 {
 	rtcReleaseScene(p->scene);
+	if (p->inner)
+		rtcReleaseScene(p->inner);
 	rtcReleaseDevice(p->device);
 	free(p);
 }

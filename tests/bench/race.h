@@ -20,6 +20,7 @@ struct engine {
 	uint32_t precision;
 	bool peer;
 	ald_accel *it; /* not a peer's */
+	struct geometry *geometry; /* instead of it, of a forest */
 	ald_query q[THREADS];
 	struct peer *tree;
 	bool lent; /* tree is another engine's */

@@ -38,7 +38,7 @@ static void report_counts(struct bench *b, struct engine *e)
 	uint64_t count[ALD_COUNT_MAX];
 	ald_hit *hit = malloc((size_t)b->shots.n[CAMERA] * sizeof(*hit));
 
-	for (unsigned k = 0; k < KINDS && !e->peer; k++) {
+	for (unsigned k = 0; k < KINDS && e->it; k++) {
 		double n = b->shots.n[k];
 
 		memset(count, 0, sizeof(count));

@@ -115,7 +115,7 @@ int main(int argc, char **argv)
 	bool glass = argc == 4 && !strcmp(argv[2], "glass"), stage;
 	FILE *f;
 
-	if (argc != 4 || (!glass && strcmp(argv[2], "plain")) || !world_make(&w, argv[1])) {
+	if (argc != 4 || (!glass && strcmp(argv[2], "plain")) || !world_make(&w, argv[1]) || w.forest) {
 		fprintf(stderr, "usage: scene_files WORLD plain|glass STEM\n");
 		return 2;
 	}

@@ -53,11 +53,17 @@ void shots_camera(struct shots *s, const struct world *world, uint32_t w)
 }
 
 /* Towards the ray's origin; false: the triangle has none. */
-static bool normal(const struct mesh *m, const ald_ray *r, uint32_t id, ald_vec *out)
+static bool normal(const struct mesh *m, const struct geometry *built, const ald_ray *r, const ald_hit *hit,
+		   ald_vec *out)
 {
 	ald_vec v[3], g;
 
-	ald_corners(&m->prims, id, 0, v);
+	if (built) {
+		g = forest_normal(built, r, hit);
+		*out = dot(g, r->dir) > 0 ? times(g, -1) : g;
+		return true;
+	}
+	ald_corners(&m->prims, hit->prim, 0, v);
 	g = cross(minus(v[1], v[0]), minus(v[2], v[0]));
 	if (dot(g, g) == 0)
 		return false;
@@ -84,18 +90,18 @@ static void shuffle(ald_ray *ray, uint32_t n, uint64_t *seed)
 	}
 }
 
-void shots_second(struct shots *s, const struct world *w, const ald_hit *hit)
+void shots_second(struct shots *s, const struct world *w, const struct geometry *built, const ald_hit *hit)
 {
 	uint64_t seed = 77;
 	uint32_t n = 0;
-	double size = w->mesh.frame.radius / 3, off = 1e-5 * size;
+	double size = w->radius / 3, off = 1e-5 * size;
 
 	for (uint32_t i = 0; i < s->n[CAMERA]; i++) {
 		const ald_ray *r = &s->ray[CAMERA][i];
 		ald_vec g, o;
 		double t = hit[i].t;
 
-		if (hit[i].prim == ALD_NONE || !normal(&w->mesh, r, hit[i].prim, &g))
+		if (hit[i].prim == ALD_NONE || !normal(&w->mesh, built, r, &hit[i], &g))
 			continue;
 		o = (ald_vec){ r->org.x + t * r->dir.x + off * g.x, r->org.y + t * r->dir.y + off * g.y,
 			       r->org.z + t * r->dir.z + off * g.z };

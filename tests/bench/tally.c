@@ -142,7 +142,7 @@ static void print_against(const struct bench *b, const char *what, unsigned k, c
 void tally_print(const struct bench *b)
 {
 	printf("\n%s: %u triangles, %u camera rays, %u others; %u thread%s; medians of %u rounds\n", b->world.name,
-	       b->world.mesh.prims.count, b->shots.n[CAMERA], b->shots.n[AO], b->threads,
+	       world_triangles(&b->world), b->shots.n[CAMERA], b->shots.n[AO], b->threads,
 	       b->threads > 1 ? "s" : "", b->rounds);
 	printf("load %.1f before, %.1f after; others used %.0f %% of the machine; brute force agrees on %u of %u rays "
 	       "with %s\n", b->load[0], b->load[1], 100 * b->others, b->sampled - b->strays, b->sampled,
@@ -217,7 +217,7 @@ static void json_against(const struct bench *b, struct json_writer *j, const cha
 void tally_json(const struct bench *b, struct json_writer *j)
 {
 	jw_string(j, "world", b->world.name);
-	jw_uint(j, "triangles", b->world.mesh.prims.count);
+	jw_uint(j, "triangles", world_triangles(&b->world));
 	jw_uint(j, "threads", b->threads);
 	jw_uint(j, "rounds", b->rounds);
 	jw_double(j, "load_before", b->load[0]);

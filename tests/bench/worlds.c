@@ -7,6 +7,7 @@
  *			1987) to 990,208, on the stage
  *	soup		500,000, not joined, of sizes from 0 to 6 % of the whole, needles and lines among them
  *	terrain		a fractal height field of 999,698; terrain10m: 9,999,392; terrainN: of 2 N N
+ *	forest		10,000 instances of a tree of 10,000
  *	beams		20,000 thin boxes, turned any way, in a room: 240,012; hall: about five times as long
  */
 #ifdef HAVE_CONFIG_H
@@ -18,13 +19,14 @@
 #include <string.h>
 
 #include "directions.h"
+#include "forest.h"
 #include "suzanne.h"
 #include "worlds.h"
 
 const char *const kind_name[KINDS] = { "camera", "shadow", "bounce", "shuffled", "ao" };
 const uint32_t kind_hints[KINDS] = { ALD_COHERENT | ALD_ONE_ORIGIN, ALD_COHERENT, 0, 0, 0 };
-const char worlds_usual[] = "torus,statue100k,suzanne,soup,terrain,hall";
-const char worlds_all[] = "torus,statue100k,suzanne,soup,terrain,terrain10m,beams,hall";
+const char worlds_usual[] = "torus,statue100k,suzanne,soup,terrain,forest,hall";
+const char worlds_all[] = "torus,statue100k,suzanne,soup,terrain,terrain10m,forest,beams,hall";
 
 /* ---- meshes ---- */
 
@@ -182,6 +184,11 @@ static bool add_named(struct world *w, const char *name)
 		w->light = (ald_vec){ 0.1, 0.2, 0.9 };
 		w->wide = 0.8;
 		w->share = 0.25;
+	} else if (!strcmp(name, "forest")) {
+		forest_tree(m);
+		w->forest = forest_plant();
+		w->eye = (ald_vec){ 30, -55, 14 };
+		w->light = (ald_vec){ 10, -7, 40 };
 	} else if (!strncmp(name, "terrain", 7)) {
 		n = !name[7] ? 707 : !strcmp(name + 7, "10m") ? 2236 : (uint32_t)strtoul(name + 7, NULL, 10);
 		if (!n || n > 20000)
@@ -206,15 +213,29 @@ bool world_make(struct world *w, const char *name)
 	if (!add_named(w, name))
 		return false;
 	mesh_finish(&w->mesh, false, false, false);
+	w->centre = f->centre;
+	w->radius = f->radius;
+	if (w->forest) {
+		w->centre = (ald_vec){ 0, 0, 1 };
+		w->radius = 72;
+		if (!forest_read(w->forest, &w->mesh.prims, w->mesh.vertices))
+			return false;
+	}
 	if (w->light.x != w->light.x) {
-		w->light.x = f->centre.x + 0.1 * f->radius;
-		w->light.y = f->centre.y - 0.067 * f->radius;
-		w->light.z = f->centre.z + 0.333 * f->radius;
+		w->light.x = w->centre.x + 0.1 * w->radius;
+		w->light.y = w->centre.y - 0.067 * w->radius;
+		w->light.z = w->centre.z + 0.333 * w->radius;
 	}
 	return true;
 }
 
 void world_release(struct world *w)
 {
+	forest_free(w->forest);
 	mesh_release(&w->mesh);
+}
+
+uint32_t world_triangles(const struct world *w)
+{
+	return w->mesh.prims.tri_count * (w->forest ? (uint32_t)TREES : 1);
 }

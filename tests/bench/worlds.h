@@ -8,6 +8,7 @@
 #define TESTS_BENCH_WORLDS_H
 
 #include "../unit/rays.h"
+#include "forest.h"
 
 enum { CAMERA, SHADOW, BOUNCE, SHUFFLED, AO, KINDS };
 enum { BATCH = 1024 }; /* rays that are handed over in one call */
@@ -20,7 +21,10 @@ static inline bool kind_any(unsigned k)
 
 struct world {
 	char name[40];
-	struct mesh mesh;
+	struct mesh mesh; /* of a forest one tree */
+	struct forest *forest; /* NULL: the mesh is all there is */
+	ald_vec centre; /* of all, and how far from it that goes */
+	double radius;
 	ald_vec eye, at, light;
 	double wide; /* of the picture, at distance 1, half */
 	double share; /* of the rays asked for: 1, or less where rays are slow */
@@ -30,6 +34,7 @@ extern const char worlds_usual[], worlds_all[]; /* names, with commas */
 
 /* exits where it can't; false: there is no such name. */
 bool world_make(struct world *, const char *name);
+uint32_t world_triangles(const struct world *); /* each instance's counted */
 void world_release(struct world *);
 
 struct shots {
@@ -39,8 +44,8 @@ struct shots {
 
 /* Camera rays, 32 x 32 pixels after another in blocks of 4 x 4; width: a multiple of 128. */
 void shots_camera(struct shots *, const struct world *, uint32_t width);
-/* What starts where these have hit. */
-void shots_second(struct shots *, const struct world *, const ald_hit *hit);
+/* What starts where these have hit; of a forest this is one that was built. */
+void shots_second(struct shots *, const struct world *, const struct geometry *, const ald_hit *hit);
 void shots_release(struct shots *);
 
 #endif

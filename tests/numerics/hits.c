@@ -9,6 +9,10 @@
  * Rays are ordinary ones through the scene, aimed at corners of its meshes, along axes, and such that leave what
  * the last one hit; also shadows, and what lies behind. No libm is used to make them.
  */
+#ifdef HAVE_CONFIG_H
+#include <config.h>
+#endif
+
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>

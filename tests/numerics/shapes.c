@@ -10,6 +10,10 @@
  * along the ray, where it grows without bound the more the surface is grazed, and across the surface, which is what
  * rounding moves and has a bound.
  */
+#ifdef HAVE_CONFIG_H
+#include <config.h>
+#endif
+
 #include <float.h>
 #include <stdio.h>
 #include <stdlib.h>

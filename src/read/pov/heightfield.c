@@ -230,7 +230,7 @@ struct pov_object *pov_read_height_field(struct pov *p, const struct diag_pos *a
 	    (!f.smooth || add_normals(p, &d, &f))) {
 		d.has_inside = true;
 		d.inside = vec_make(0, 1, 0);
-		o = mesh_finish(p, &d);
+		o = mesh_draft_finish(p, &d);
 	}
 	mesh_draft_release(&d);
 	if (!o)

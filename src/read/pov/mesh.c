@@ -292,7 +292,7 @@ static void fill_mesh(struct mesh *m, struct mesh_draft *d)
 	}
 }
 
-struct pov_object *mesh_finish(struct pov *p, struct mesh_draft *d)
+struct pov_object *mesh_draft_finish(struct pov *p, struct mesh_draft *d)
 {
 	struct pov_object *o = pov_object_new(p, SHAPE_MESH, &d->pos);
 	uint32_t empty = first_empty(d);
@@ -493,7 +493,7 @@ struct pov_object *pov_read_mesh(struct pov *p, const struct diag_pos *at)
 	if (read_faces(p, &d, &list)) {
 		d.list_count = (uint32_t)list.count;
 		d.list = list.count ? pov_copy(p, list.data, list.count * list.size) : NULL;
-		o = mesh_finish(p, &d);
+		o = mesh_draft_finish(p, &d);
 	}
 	mem_free(list.data);
 	mesh_draft_release(&d);
@@ -512,7 +512,7 @@ struct pov_object *pov_read_triangle(struct pov *p, const struct diag_pos *at, b
 	read_corners(p, &c, smooth);
 	if (!pov_failed(p) && add_corners(p, &d, &c) && mesh_add_texture(p, &d, none, 1)) {
 		d.smooth_count = smooth;
-		o = mesh_finish(p, &d);
+		o = mesh_draft_finish(p, &d);
 		if (o)
 			pov_scene(p)->mesh[o->mesh->index].lone = true;
 	}

@@ -44,7 +44,7 @@ bool mesh_reserve(struct pov *, struct mesh_array *, size_t more, size_t expect)
 bool mesh_add_texture(struct pov *, struct mesh_draft *, const uint32_t t[3], size_t expect);
 /* Drop triangles without area, put the smooth ones first, give it to the scene and make its object.
  * The draft is empty afterwards. NULL: an error was reported. */
-struct pov_object *mesh_finish(struct pov *, struct mesh_draft *);
+struct pov_object *mesh_draft_finish(struct pov *, struct mesh_draft *);
 /* A normal of unit length; one of length 0 becomes <1,0,0> and *zero true, as in POV-Ray. */
 void mesh_normal(float out[3], vec n, bool *zero);
 

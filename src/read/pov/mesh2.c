@@ -575,7 +575,7 @@ struct pov_object *pov_read_mesh2(struct pov *p, const struct diag_pos *at)
 	mesh_draft_init(&d);
 	d.pos = *at;
 	if (read_vectors(p, &d) && read_faces(p, &d) && read_indices_blocks(p, &d))
-		o = mesh_finish(p, &d);
+		o = mesh_draft_finish(p, &d);
 	mesh_draft_release(&d);
 	return o;
 }

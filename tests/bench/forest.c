@@ -25,7 +25,8 @@ struct forest {
  * Sequences, 2018). */
 static double even(uint32_t i, unsigned dimension)
 {
-	static const double step[4] = { 0.8566748838545029, 0.7338918566271260, 0.6287067210378087, 0.5385972572236101 };
+	static const double step[4] = { 0.8566748838545029, 0.7338918566271260, 0.6287067210378087,
+					0.5385972572236101 };
 
 	return fmod(i * step[dimension], 1);
 }

@@ -1,9 +1,9 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * A world of instances: one tree, ten thousand times. Accelerators get it as the renderer does, from a scene, and answer
- * through accel/trace.h, with what the host does for instances (and not through that header: the struct mesh of scenes
- * is not that of tests).
+ * A world of instances: one tree, ten thousand times. Accelerators get it as the renderer does, from a scene, and
+ * answer through accel/trace.h, with what the host does for instances (and not through that header: the struct mesh of
+ * scenes is not that of tests).
  */
 #ifndef TESTS_BENCH_FOREST_H
 #define TESTS_BENCH_FOREST_H

@@ -33,7 +33,8 @@ struct peer;
 struct peer_mesh;
 
 bool peer_there(void);
-/* In floats; place: many of it, each where the images of three axes and the origin are. NULL: as it is. It has to live on. */
+/* In floats; place: many of it, each where the images of three axes and the origin are, which have to live on; NULL:
+ * as it is. */
 struct peer_mesh *peer_mesh_new(const ald_prims *, uint32_t vertices, const float (*place)[12], uint32_t places);
 void peer_mesh_free(struct peer_mesh *);
 /* Built; NULL: not on this machine. The mesh has to outlive it. */

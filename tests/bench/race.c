@@ -88,7 +88,8 @@ static bool open_peer(struct bench *b, struct engine *e)
 	}
 	e->lent = e->tree;
 	if (!b->floats && b->world.forest)
-		b->floats = peer_mesh_new(&b->world.mesh.prims, b->world.mesh.vertices, forest_places(b->world.forest), TREES);
+		b->floats = peer_mesh_new(&b->world.mesh.prims, b->world.mesh.vertices,
+					  forest_places(b->world.forest), TREES);
 	else if (!b->floats)
 		b->floats = peer_mesh_new(&b->world.mesh.prims, b->world.mesh.vertices, NULL, 0);
 	if (!e->tree)
@@ -398,7 +399,7 @@ static void screen_tree(struct bench *b, const struct peer_config *config, podiu
 						{ PEER_1M, 1 }, { PEER_NP, 0 }, { PEER_NP, 1 } };
 	struct engine e = { .peer = true, .config = *config };
 
-	/* With AVX-512 rtcOccluded16 of Embree 3.13 does not return from a scene of instances, nor what is made of it. */
+	/* With AVX-512 rtcOccluded16 of Embree 3.13 does not return from a scene of instances, nor do streams. */
 	if (b->world.forest && !strcmp(config->isa, "avx512"))
 		return;
 	if (!open_peer(b, &e))

@@ -16,6 +16,7 @@
 
 /* Stands in the 64 bytes before each block. */
 struct block {
+	void *base; /* what is to be freed */
 	struct mem_book *book;
 	struct mem_account *account;
 	size_t bytes; /* as asked for */
@@ -87,21 +88,30 @@ static void book_sub(const struct block *b)
 	atomic_fetch_sub(&b->account->now, b->bytes);
 }
 
+static void *begin_block(void *base, char *p, struct mem_book *book, struct mem_account *account, size_t bytes)
+{
+	struct block *b = (struct block *)(p - ALIGN);
+
+	*b = (struct block){ base, book, account, bytes };
+	return p;
+}
+
+static void *no_block(struct mem_book *book, struct mem_account *account, size_t bytes)
+{
+	atomic_fetch_sub(&book->now, bytes);
+	atomic_fetch_sub(&account->now, bytes);
+	return NULL;
+}
+
 void *mem_alloc(struct mem_book *book, const char *purpose, size_t bytes)
 {
 	struct mem_account *account = mem_account_get(book, purpose);
-	struct block *b;
+	char *base;
 
 	if (bytes > SIZE_MAX - 2 * ALIGN || !book_add(book, account, bytes))
 		return NULL;
-	b = aligned_alloc(ALIGN, ALIGN + (bytes + ALIGN - 1) / ALIGN * ALIGN);
-	if (!b) {
-		atomic_fetch_sub(&book->now, bytes);
-		atomic_fetch_sub(&account->now, bytes);
-		return NULL;
-	}
-	*b = (struct block){ book, account, bytes };
-	return (char *)b + ALIGN;
+	base = aligned_alloc(ALIGN, ALIGN + (bytes + ALIGN - 1) / ALIGN * ALIGN);
+	return base ? begin_block(base, base + ALIGN, book, account, bytes) : no_block(book, account, bytes);
 }
 
 /* What is written as a whole is there sooner in huge pages. */
@@ -118,15 +128,20 @@ static void in_huge_pages(void *p, size_t bytes)
 #endif
 }
 
+/* By calloc(), which knows what the system has cleared already, or clears when it is used: each thread its part. */
 void *mem_zalloc(struct mem_book *book, const char *purpose, size_t bytes)
 {
-	void *p = mem_alloc(book, purpose, bytes);
+	struct mem_account *account = mem_account_get(book, purpose);
+	char *base, *p;
 
-	if (p) {
-		in_huge_pages(p, bytes);
-		memset(p, 0, bytes);
-	}
-	return p;
+	if (bytes > SIZE_MAX - 2 * ALIGN || !book_add(book, account, bytes))
+		return NULL;
+	base = calloc(1, bytes + 2 * ALIGN);
+	if (!base)
+		return no_block(book, account, bytes);
+	p = base + (2 * ALIGN - (uintptr_t)base % ALIGN);
+	in_huge_pages(p, bytes);
+	return begin_block(base, p, book, account, bytes);
 }
 
 void *mem_realloc(void *p, size_t bytes)
@@ -156,12 +171,14 @@ void mem_trim(void *p, size_t bytes)
 void mem_free(void *p)
 {
 	struct block *b;
+	void *base;
 
 	if (!p)
 		return;
 	b = (struct block *)((char *)p - ALIGN);
+	base = b->base;
 	book_sub(b);
-	free(b);
+	free(base);
 }
 
 bool mem_account_foreign(struct mem_book *book, const char *purpose, int64_t bytes)

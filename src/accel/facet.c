@@ -70,6 +70,13 @@ static vec smooth_normal(const struct facet_kind *k, uint32_t face, const ald_hi
 	return mat_normal(&k->leaf->place.inv, n);
 }
 
+static inline void put_corner(double (*to)[LANES], unsigned lane, vec c)
+{
+	to[0][lane] = c.x;
+	to[1][lane] = c.y;
+	to[2][lane] = c.z;
+}
+
 bool facet_take(const struct geometry *g, const struct facet_kind *k, const ald_hit *hit, struct facet_hits *to,
 		unsigned lane, uint32_t *texture)
 {
@@ -80,11 +87,9 @@ bool facet_take(const struct geometry *g, const struct facet_kind *k, const ald_
 	if (!one_texture(k, face, texture))
 		return false;
 	prim_triangle(&g->set.level[0], hit->prim, c);
-	for (unsigned j = 0; j < 3; j++) {
-		to->corner[j][0][lane] = c[j].x;
-		to->corner[j][1][lane] = c[j].y;
-		to->corner[j][2][lane] = c[j].z;
-	}
+	put_corner(to->corner[0], lane, c[0]); /* no loop, as in prim_triangle() */
+	put_corner(to->corner[1], lane, c[1]);
+	put_corner(to->corner[2], lane, c[2]);
 	if (k->mesh->normal && face < k->mesh->smooth_count)
 		n = smooth_normal(k, face, hit);
 	to->normal[0][lane] = n.x;

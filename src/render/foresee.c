@@ -10,6 +10,7 @@
 #define ENOUGH 1e12 /* rays: of pictures that are drawn until they are good, or time is over */
 #define EDGES 0.2 /* of the pixels: which adaptive anti-aliasing looks at again */
 #define AREA_RAYS 16.0 /* of a hit to an adaptive area lamp */
+#define SHADOWS_CLEAR 0.5 /* of shadow rays, which are asked again behind what is clear */
 #define VEIL_STEPS 10.0 /* places along a ray where media ask for light */
 #define DEEP_RAYS 100.0 /* of a hit, for light below surfaces */
 #define LENS_RAYS 32.0 /* of a sample, for focal blur */
@@ -51,23 +52,31 @@ static double lamps(const struct scene *s, const struct render_options *o)
 	return n;
 }
 
-/* Surfaces that are lit for each one that the camera sees: what mirrors show, and what is behind glass. */
-static double depth(const struct scene *s)
+/* Some of the textures mirror, or let light through. */
+static void find_textures(const struct scene *s, double *mirrors, double *clear)
 {
-	double most = s->max_trace_level < 8 ? s->max_trace_level : 8, mirrors = 0, clear = 0;
+	*mirrors = *clear = 0;
 
 	for (uint32_t i = 0; i < s->texture_count; i++) {
 		const struct texture *t = &s->texture[i];
 
-		clear = t->clear ? 1 : clear;
+		*clear = t->clear ? 1 : *clear;
 		for (uint32_t k = 0; k < t->count; k++) {
 			const struct finish *f = &t->layer[k].finish;
 
 			if (rgb_max(f->reflection_max) > 0 || rgb_max(f->reflection_min) > 0)
-				mirrors = 1;
+				*mirrors = 1;
 		}
 	}
-	return mirrors + clear > 0 ? fmin(1 + mirrors + 2 * clear, most) : 1;
+}
+
+/* Surfaces that are lit for each one that the camera sees: what mirrors show, and what is behind glass, which where it
+ * mirrors as well makes trees. */
+static double depth(const struct scene *s, double mirrors, double clear)
+{
+	double most = s->max_trace_level < 8 ? s->max_trace_level : 8;
+
+	return mirrors + clear > 0 ? fmin(1 + mirrors + 2 * clear + 2 * mirrors * clear, most) : 1;
 }
 
 static bool has_media(const struct scene *s)
@@ -95,9 +104,13 @@ double render_foresee(const struct scene *s, const struct render_options *o)
 {
 	double pixels = o->crop_width ? (double)o->crop_width * o->crop_height : (double)o->width * o->height;
 	double each = samples(s, o), lit = lamps(s, o), veils = has_media(s) ? VEIL_STEPS : 0;
+	double mirrors, clear, shadows;
 	double deep = s->subsurface.given && s->subsurface.used ? DEEP_RAYS : 0;
 
 	if (o->camera_only)
 		return pixels * each;
-	return fmin(ENOUGH, pixels * each * depth(s) * (1 + lit) * (1 + veils + deep + gathered(s, o, each)));
+	find_textures(s, &mirrors, &clear);
+	shadows = lit * (1 + SHADOWS_CLEAR * clear);
+	return fmin(ENOUGH, pixels * each * depth(s, mirrors, clear) * (1 + shadows) *
+				    (1 + veils + deep + gathered(s, o, each)));
 }

@@ -17,7 +17,7 @@
 #include "shade/pov/point.h"
 
 #define BATCH 1024
-#define CROSSED 4 /* clear surfaces: of hair or leaves there may be many before something opaque */
+#define CROSSED 8 /* clear surfaces: of hair or leaves there may be many before something opaque */
 #define CAUSTICS_POWER 45 /* measured: caustics 1 narrows the light to the 45th power */
 
 static void make_ray(const struct shader *sh, ald_ray *r, const struct shadow *s, uint32_t mask)

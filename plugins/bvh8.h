@@ -171,7 +171,13 @@ struct bvh8_crop {
 };
 int bvh8_fast(struct builder *, const struct bvh8_crop *); /* from the primitives to all that rays walk through */
 extern const struct bvh8_crop bvh8_crop_base, bvh8_crop_avx2;
-void bvh8_seat(struct builder *, struct part *, uint32_t root); /* nodes of a task's tree get places */
+struct rows { /* what twigs of a task's tree cost, see bvh8_fill.h */
+	float *row; /* behind what row 0 would be there is one for each pair of twigs, the first pair being base */
+	uint32_t base;
+	float more; /* what a node costs besides its area */
+};
+extern const float bvh8_row_leaf[2 * WIDTH]; /* the second half */
+void bvh8_seat(struct builder *, struct part *, const struct rows *, uint32_t root); /* its nodes get places */
 int bvh8_widen(struct builder *); /* twig[] to what rays walk through */
 void bvh8_destroy(ald_accel *);
 

@@ -16,9 +16,9 @@
 #define MOST 16384u /* and no more */
 
 /* Bytes a reference, by how many triangles a leaf may have. */
-static const double kept_sah[SEATS] = { 262, 145, 128, 64.5 };
+static const double kept_sah[SEATS] = { 218, 124, 107, 58.5 };
 static const double kept_fast[SEATS] = { 262, 140, 116, 80 };
-#define KEPT_SPLIT 56.5 /* of trees with many parts */
+#define KEPT_SPLIT 52 /* of trees with many parts */
 #define KEPT_OTHER 94 /* that is no triangle */
 
 struct sample {
@@ -64,7 +64,7 @@ static void predict_sah(struct builder *b, const struct sample *s, double others
 	double top = bvh8_top_twigs((uint32_t)room), twigs = (double)each * room, kept = kept_sah[leaf - 1], both, tree;
 
 	if (room > refs && leaf == SEATS)
-		kept = KEPT_SPLIT + 9 * refs / used;
+		kept = KEPT_SPLIT + 6.5 * refs / used;
 	out->kept = sizeof(ald_accel) + (uint64_t)(used * (1 - others) * kept + used * others * KEPT_OTHER);
 	both = (twigs + top + 1) * sizeof(struct twig) + top * sizeof(struct range) + (top + 1) * sizeof(struct part) +
 	       (twigs / 2 + top + 1) * sizeof(struct seat) + room * sizeof(uint32_t);

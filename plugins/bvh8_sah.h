@@ -8,8 +8,11 @@
 #ifndef BVH8_SAH_H
 #define BVH8_SAH_H
 
+#include "bvh8_fill.h"
 #include "bvh8_grow.h"
 
+/* What a node costs besides its area, a reference, in areas of the scene: memory, and more children to a node. */
+#define NODE_MORE 10.0f
 #define SMALL 16384u /* references that one job builds a tree of */
 #define PIECE 8192u /* references that one job looks at together */
 
@@ -91,10 +94,17 @@ static void task_job(void *arg, uint32_t i)
 	struct builder *b = arg;
 	struct range *t = &((struct range *)b->task)[i];
 	struct grower g = { .b = b, .kids = b->twigs_a_ref * t->first };
+	/* Where its references were. */
+	struct rows r = { .row = (float *)(void *)&b->ref[t->first],
+			  .base = g.kids,
+			  .more = NODE_MORE * b->whole / (float)b->refs };
 
 	b->part[i + 1] = (struct part){ .seat = b->seat + (size_t)b->twigs_a_ref * t->first / 2, .twig = t->twig };
 	grow(&g, t);
-	bvh8_seat(b, &b->part[i + 1], t->twig);
+	if (g.kids == r.base)
+		return; /* a leaf, or nothing at all */
+	fill_rows(&r, b->twig, g.kids);
+	bvh8_seat(b, &b->part[i + 1], &r, t->twig);
 }
 
 static int cut_pieces(struct level *l)

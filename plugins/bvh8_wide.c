@@ -1,14 +1,17 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * From a binary tree to nodes of eight (Wald, Benthin, Boulos: Getting Rid of Packets, 2008), and
- * triangles to blocks: one pass gives every node and leaf its place, depth first and siblings side by side;
- * a second one, parallel, fills them.
+ * From a binary tree to nodes of eight (Wald, Benthin, Boulos: Getting Rid of Packets, 2008; what is opened is decided
+ * by bvh8_fill.h), and triangles to blocks: one pass gives every node and leaf its place, depth first and siblings side
+ * by side; a second one, parallel, fills them.
  */
 #include "bvh8_corner.h"
 
+const float bvh8_row_leaf[2 * WIDTH] __attribute__((aligned(32))) = { 0 };
+
 struct widener {
 	struct builder *b;
+	const struct rows *rows; /* of a task's tree; NULL: the largest are opened first */
 	uint32_t *owner; /* of the top's twigs: the part below, or 0 */
 };
 
@@ -93,6 +96,64 @@ static void open_twig(const struct widener *w, const struct part *p, uint32_t ro
 	sort_kids(o);
 }
 
+V const float *row_of(const struct rows *r, const struct twig *t)
+{
+	return t->count ? bvh8_row_leaf + WIDTH : r->row + (size_t)WIDTH * (1 + (t->kid - r->base) / 2);
+}
+
+struct places { /* that a twig may take up */
+	uint32_t twig, n;
+};
+
+/* The two children of a twig that may take up s->n, so that the sum of what they cost is the least. */
+static void share_places(const struct widener *w, const struct places *s, struct places *left, struct places *right)
+{
+	uint32_t kid = w->b->twig[s->twig].kid, best = 1;
+	const float *a = row_of(w->rows, &w->b->twig[kid]), *b = row_of(w->rows, &w->b->twig[kid + 1]);
+
+	for (uint32_t k = 2; k < s->n; k++) {
+		if (a[k - 1] + b[s->n - k - 1] < a[best - 1] + b[s->n - best - 1])
+			best = k;
+	}
+	*left = (struct places){ kid, best };
+	*right = (struct places){ kid + 1, s->n - best };
+}
+
+/* As the rows say; then in the order of size. */
+static void open_best(const struct widener *w, uint32_t root, struct opened *o)
+{
+	struct places stack[WIDTH], s = { root, WIDTH };
+	uint32_t top = 2;
+
+	o->n = 0;
+	o->inner = EMPTY;
+	for (unsigned k = 0; k < WIDTH; k++) {
+		o->size[k] = -1;
+		o->kid[k] = EMPTY;
+	}
+	share_places(w, &s, &stack[1], &stack[0]);
+	while (top) {
+		const struct twig *t;
+		const float *row;
+
+		s = stack[--top];
+		t = &w->b->twig[s.twig];
+		row = row_of(w->rows, t);
+		while (s.n > 1 && !(row[s.n - 1] < row[s.n - 2]))
+			s.n--;
+		if (t->count || s.n == 1) {
+			o->kid[o->n] = s.twig;
+			o->size[o->n++] = area(t);
+			continue;
+		}
+		if (o->inner == EMPTY)
+			o->inner = s.twig;
+		share_places(w, &s, &stack[top + 1], &stack[top]);
+		top += 2;
+	}
+	sort_kids(o);
+}
+
 /* Children that were found once are noted where one of those is that were opened and serve nobody any more: the
  * twig of a seat is then that place, and this. */
 #define NOTED 0x80000000u
@@ -153,7 +214,10 @@ static void seat_children(const struct widener *w, struct part *p, uint32_t i, u
 	struct seat *s = &p->seat[i];
 	struct opened o;
 
-	open_twig(w, p, s->twig, &o);
+	if (w->rows)
+		open_best(w, s->twig, &o);
+	else
+		open_twig(w, p, s->twig, &o);
 	s->node = p->seats;
 	s->block = p->blocks;
 	s->other = p->others;
@@ -204,12 +268,11 @@ static void seat_part(const struct widener *w, struct part *p, uint32_t root)
 }
 
 /* While its twigs are at hand. */
-void bvh8_seat(struct builder *b, struct part *p, uint32_t root)
+void bvh8_seat(struct builder *b, struct part *p, const struct rows *rows, uint32_t root)
 {
-	const struct widener w = { .b = b };
+	const struct widener w = { .b = b, .rows = rows };
 
-	if (!b->twig[root].count)
-		seat_part(&w, p, root);
+	seat_part(&w, p, root);
 }
 
 static void fill_block(const struct builder *b, struct block *n, uint32_t ref, uint32_t count)

@@ -69,6 +69,16 @@ static int make_tree(struct builder *b)
 	return status;
 }
 
+#define ORDERED 4096u /* nodes of a job */
+
+static void order_job(void *arg, uint32_t i)
+{
+	ald_accel *a = arg;
+	uint32_t from = i * ORDERED, n = a->nodes - from < ORDERED ? a->nodes - from : ORDERED;
+
+	a->isa->order(a->node + from, n);
+}
+
 void bvh8_destroy(ald_accel *a)
 {
 	const ald_host *h = a->host;
@@ -101,6 +111,8 @@ static int bvh8_build(const ald_host *host, const ald_prims *prims, const double
 	if (!status)
 		status = make_tree(&b);
 	b.a->far = (b.a->bytes > CACHE) + (b.a->bytes > FAR * CACHE);
+	if (!status && isa->order)
+		host->parallel(host->ctx, (b.a->nodes + ORDERED - 1) / ORDERED, order_job, b.a);
 	b.a->herds = !b.a->interleave;
 	if (!b.a->interleave)
 		b.a->interleave = INTERLEAVE_MAX;

@@ -51,7 +51,9 @@
 struct node { /* 64-aligned, four cache lines */
 	float plane[6][WIDTH]; /* low x, high x, low y, high y, low z, high z; low > high: no child */
 	uint32_t child[WIDTH]; /* the larger a child's box, the earlier it stands */
-	uint32_t spare[WIDTH];
+	/* By the signs of a direction, bits 0 to 2 set where x, y, z go down: children as a ray mostly meets them, the
+	 * nearest last, three bits each. A guess, filled by bvh8_order.h where an instruction set goes by it. */
+	uint32_t order[WIDTH];
 };
 
 struct block { /* of a leaf */
@@ -89,6 +91,7 @@ struct isa {
 			uint32_t hints);
 	void (*occluded)(const ald_accel *, ald_query *, const ald_ray *, uint8_t *, uint32_t n,
 			 uint32_t hints);
+	void (*order)(struct node *, uint32_t n); /* of children; NULL: rays sort them */
 };
 
 extern const uint8_t bvh8_lanes[256][8]; /* of each set of lanes, which they are, the last first */

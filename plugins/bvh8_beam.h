@@ -42,7 +42,7 @@ struct beam {
 	float high[PENDING + SEATS]; /* of those that are hit for sure, none is more; else infinite */
 	uint32_t found, asked; /* surely hit, where any will do; some are asked about already */
 	uint32_t ref, top, index; /* where it is; how high the stack; which ray of the batch */
-	uint32_t place; /* see bvh8_walk.h */
+	uint32_t way; /* of a node's orders */
 	double shift, tscale; /* t of the walk = (t - shift) * tscale */
 	const ald_ray *ray;
 	ald_hit *hit, own; /* own: where any will do */
@@ -83,9 +83,12 @@ V void beam_begin(const ald_accel *a, struct beam *b, const struct lot *l, unsig
 	float far = 1 + 4 * l->pad[i] / EDGE_ERROR, first, last;
 	struct aim *aim = &b->aim;
 
+	b->way = ORDER_TURNED;
 	UNROLL
 	for (unsigned k = 0; k < 3; k++) {
 		uint32_t down = (uint32_t)(l->sign[k] >> i & 1);
+
+		b->way ^= down << k;
 
 		b->inverse[k] = l->inverse[k][i];
 		b->near_o[k] = l->near_o[k][i];
@@ -152,7 +155,11 @@ V void beam_node(const ald_accel *a, struct beam *b)
 
 	t0 = f8_max(f8_max(t0, y0), f8_max(z0, f8_all(0)));
 	t1 = f8_min(f8_min(t1, y1), f8_min(z1, f8_all(b->tfar)));
+#if ISA_LEVEL >= 2
+	b->top += f8_ordered(t0, t1, n->order[b->way], n->child, b->enter + b->top, b->below + b->top);
+#else
 	b->top += f8_order(t0, t1, n->child, b->enter + b->top, b->below + b->top);
+#endif
 }
 
 struct meeting { /* of a ray with the triangles of a block */
@@ -199,7 +206,7 @@ V uint32_t block_behind(const struct aim *t, const struct block *n, const f4 to[
  * n . d, u = 2^-53, so its z, with D > 3 slack > 36 EDGE_ERROR s, by less than 2^19 u s Q, Q how far away the ray's own
  * origin is: 2^14 pad at most, as pad holds 64 u Q. DEPTH_LEAST and 2^15 pad cover both. */
 V void block_bounds(const struct aim *t, const struct block *n, struct meeting *m, const f4 to[3], f4 zmin, f4 zmax,
-		    f4 wide, f4 slack, f4 least, f4 most)
+		    f4 wide, f4 slack, f4 least, f4 most, int early)
 {
 	f4 sum = f4_add(f4_add(m->a, m->b), m->c), three = f4_mul(slack, f4_all(3));
 	f4 z = f4_mul_add(m->a, m->az, f4_mul_add(m->b, m->bz, f4_mul(m->c, m->cz))), off, error;
@@ -217,7 +224,7 @@ V void block_bounds(const struct aim *t, const struct block *n, struct meeting *
 	m->high = f4_min(f4_pick(m->sure, f4_add(z, off), zmax), zmax);
 	m->maybe &= f4_le(f4_all(t->before), m->high);
 	m->sure &= f4_le(m->high, f4_all(t->sure_hi)) & f4_le(f4_all(t->sure_lo), m->low) & m->maybe;
-	if (m->maybe & ~m->sure & f4_le(m->low, f4_all(t->sure_lo)))
+	if (!early || (m->maybe & ~m->sure & f4_le(m->low, f4_all(t->sure_lo))))
 		m->maybe &= ~block_behind(t, n, to, sum) | m->sure;
 }
 
@@ -267,7 +274,7 @@ V void block_meet(const ald_accel *a, const struct aim *t, const struct block *n
 		return;
 	wide = f4_max(f4_max(f4_max(f4_size(ax), f4_size(ay)), f4_max(f4_size(bx), f4_size(by))),
 		      f4_max(f4_size(cx), f4_size(cy)));
-	block_bounds(t, n, m, to, zmin, zmax, wide, slack, least, most);
+	block_bounds(t, n, m, to, zmin, zmax, wide, slack, least, most, early);
 }
 
 /* Bounds as t, rounded outward. */
@@ -460,19 +467,6 @@ V void beam_step(const ald_accel *a, const struct batch *s, struct asked *asked,
 		beam_others(a, q, b, any);
 	else
 		beam_leaf(a, s, asked, b, any);
-}
-
-V void beam_on(const ald_accel *a, const struct batch *s, struct asked *asked, ald_query *q, struct beam *b, int any)
-{
-	for (beam_pop(b); b->ref != DONE; beam_pop(b))
-		beam_step(a, s, asked, q, b, any);
-}
-
-/* To its end. */
-V void beam_walk(const ald_accel *a, const struct batch *s, struct asked *asked, ald_query *q, struct beam *b, int any)
-{
-	beam_on(a, s, asked, q, b, any);
-	beam_end(a, s, asked, b, any);
 }
 
 /* A ray whose numbers no triangle stands. */

@@ -152,7 +152,7 @@ static void fold_node(struct node *n, const struct twig *twig, const struct spri
 			q4_store(&n->plane[2 * k + 1][half], hi[k]);
 		}
 	}
-	memset(n->spare, 0, sizeof(n->spare));
+	memset(n->order, 0, sizeof(n->order));
 }
 
 #endif

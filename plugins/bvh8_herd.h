@@ -182,7 +182,7 @@ V void herd_fetch(const ald_accel *a, const struct herd *h, uint32_t top)
 /* Rays that open a node together, on average, or herds do not pay. */
 V uint32_t herd_together(const ald_accel *a, int any)
 {
-	return a->far && !any ? 3 : 2;
+	return !a->far ? 3 - (uint32_t)any : !any ? 8 : a->far > 1 ? 4 : 6;
 }
 
 /* How many steps what comes off the stack waits for what it is to be fetched. A hit that would have spared some rays

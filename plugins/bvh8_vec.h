@@ -143,6 +143,31 @@ V uint32_t f8_order(f8 from, f8 to, const uint32_t *child, float *enter, uint32_
 	return n;
 }
 
+/* The same, in an order that is given: three bits a lane, the nearest last, or, where ORDER_TURNED is 7, first. */
+#define ORDER_TURNED (ISA_LEVEL >= 3 ? 0u : 7u)
+
+V uint32_t f8_ordered(f8 from, f8 to, uint32_t order, const uint32_t *child, float *enter, uint32_t *ref)
+{
+	const __m256i by = _mm256_setr_epi32(0, 3, 6, 9, 12, 15, 18, 21);
+	__m256i at = _mm256_srlv_epi32(_mm256_set1_epi32((int)order), by);
+	__m256i kids = _mm256_permutevar8x32_epi32(_mm256_load_si256((const __m256i *)child), at);
+	f8 t0 = _mm256_permutevar8x32_ps(from, at), t1 = _mm256_permutevar8x32_ps(to, at);
+#if ISA_LEVEL >= 3
+	__mmask8 in = _mm256_cmp_ps_mask(t0, t1, _CMP_LE_OQ);
+
+	_mm256_storeu_si256((__m256i *)ref, _mm256_maskz_compress_epi32(in, kids));
+	_mm256_storeu_ps(enter, _mm256_maskz_compress_ps(in, t0));
+	return (uint32_t)__builtin_popcount(in);
+#else
+	uint32_t in = f8_le(t0, t1);
+	__m256i last = _mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i *)bvh8_lanes[in]));
+
+	_mm256_storeu_si256((__m256i *)ref, _mm256_permutevar8x32_epi32(kids, last));
+	_mm256_storeu_ps(enter, _mm256_permutevar8x32_ps(t0, last));
+	return (uint32_t)__builtin_popcount(in);
+#endif
+}
+
 /* Where from <= to, bit too. */
 V __m256i f8_mark(__m256i marks, f8 from, f8 to, uint32_t bit)
 {
@@ -215,6 +240,8 @@ V uint32_t f8_order_lanes(f8 from, f8 to, uint32_t first, uint32_t *lane)
 	return n;
 }
 #else
+#define ORDER_TURNED 0u
+
 V uint32_t f8_order(f8 from, f8 to, const uint32_t *child, float *enter, uint32_t *ref)
 {
 	float t[8] __attribute__((aligned(32)));

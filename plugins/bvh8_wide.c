@@ -322,7 +322,7 @@ static void fill_node(const struct widener *w, const struct part *p, uint32_t i,
 	s.node += p->node;
 	s.block += p->block;
 	s.other += p->other;
-	memset(node->spare, 0, sizeof(node->spare));
+	memset(node->order, 0, sizeof(node->order));
 	for (unsigned k = 0; k < WIDTH; k++) {
 		const struct twig *t = &b->twig[o->kid[k < n ? k : 0]];
 		uint32_t below = part_below(w, p, o->kid[k < n ? k : 0]);

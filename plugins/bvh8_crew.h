@@ -267,7 +267,8 @@ V void crew_step(const ald_accel *a, struct crew *c, struct turn *w, uint32_t pl
 	crew_deal(c, w, 0);
 }
 
-/* The longest list is to be worked off: its length is all that is to be guessed, and that once. NULL: all have ended. */
+/* The longest list is to be worked off: its length is all that is to be guessed, and that once. NULL: all have
+ * ended. */
 V struct turn *turns_next(struct turns *c, uint32_t *place)
 {
 	uint32_t n = c->at[AT_NODE]->n;

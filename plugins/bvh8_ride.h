@@ -1,10 +1,10 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * A crew of bvh8's whose rays meet blocks GROUP at a time, each with a block of its own, and what a ray is to the tree,
- * in two rows of sixteen numbers. Nothing there is a branch on what is met: rays' hits are bounded in the list they stand
- * in, and what the doubles are to be asked about goes on one list for all. See bvh8_crew.h for the turns, and bvh8_beam.h
- * for what is computed and why.
+ * A crew of bvh8's whose rays meet blocks GROUP at a time, each with a block of its own, and what a ray is to the
+ * tree, in two rows of sixteen numbers. Nothing there is a branch on what is met: rays' hits are bounded in the list
+ * they stand in, and what the doubles are to be asked about goes on one list for all. See bvh8_crew.h for the turns, and
+ * bvh8_beam.h for what is computed and why.
  */
 #ifndef BVH8_RIDE_H
 #define BVH8_RIDE_H
@@ -76,8 +76,8 @@ V void ride_rows(struct ride *c, unsigned i)
 				   (uint32_t)(l->sign[2] >> i) & 255 };
 	const uint32_t back = (m.z & down[2]) | (m.y & down[1]) | (~(m.y | m.z) & down[0]);
 	const f8 side = f8_choose(back, f8_all(-1), f8_all(1)), tiny = f8_all(DEPTH_LEAST);
-	f8 o[3], v[3], n[3], f[3], plane[3], by = f8_word(4 * ORDER_TURNED), axis[3], t0, t1, e0, e1, grow, pad;
 	const f8 depth = f8_load(l->depth + i);
+	f8 o[3], v[3], n[3], f[3], plane[3], by = f8_word(4 * ORDER_TURNED), axis[3], t0, t1, e0, e1, grow, pad;
 	float skip[8] __attribute__((aligned(32)));
 
 	UNROLL

@@ -136,7 +136,9 @@ make_build()
 if [ -n "${ALIDADE_OTHER:-}" ]; then
 	same_build "the build in $(basename "$ALIDADE_OTHER")" "$ALIDADE_OTHER"
 fi
-if [ -n "${ALIDADE_ALL:-}" ]; then
+if [ -n "${ALIDADE_ALL:-}" ] && [ -e "$ALIDADE_SRC/config.status" ]; then
+	skip "other builds" "the sources were built in their own folder, where configure allows no other"
+elif [ -n "${ALIDADE_ALL:-}" ]; then
 	want_features=1
 	features >"$tap_dir/want"
 	for cc in gcc clang; do

@@ -29,10 +29,11 @@ struct query { /* what a plugin hands back to us with each call; it sees q only 
 struct worker { /* one per thread; nothing here is shared */
 	struct query *query; /* [levels] */
 	uint64_t count[ALD_COUNT_MAX];
+	bool any; /* asked is whether rays hit anything; what is nearest need not be found */
 	ald_ray ray[TRACE_BATCH], inner_ray[TRACE_BATCH];
 	ald_hit hit[TRACE_BATCH], inner_hit[TRACE_BATCH];
 	uint32_t plane[TRACE_BATCH], slot[TRACE_BATCH];
-	uint8_t hidden[TRACE_BATCH];
+	uint8_t hidden[TRACE_BATCH], inner_hidden[TRACE_BATCH];
 };
 
 struct geometry {

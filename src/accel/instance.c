@@ -118,6 +118,20 @@ static bool too_near(const struct view *v, const ald_ray *r, uint32_t id, const 
 	       !(found->t > r->tmin || (found->t == r->tmin && r->after != ALD_NONE && id >= r->after));
 }
 
+static bool occluded(const ald_accel_plugin *p, const ald_accel *a, ald_query *q, const ald_ray *r)
+{
+	ald_hit h = { .t = r->tmax, .prim = ALD_NONE };
+
+	return ACCEL_HAS(p, occluded) ? p->occluded(a, q, r) : p->intersect(a, q, r, &h);
+}
+
+/* Is any hit inside as good as the nearest? Not in solids, which show only parts of it, nor where t has to be told
+ * apart from tmin. */
+static bool any_inside(const struct view *v, const struct worker *w, const struct prim_instance *p)
+{
+	return w->any && p->node == SCENE_NONE && !exact(v);
+}
+
 static int intersect_instance(const struct view *v, uint32_t id, ald_query *q, const ald_ray *r,
 			      ald_hit *hit)
 {
@@ -127,6 +141,12 @@ static int intersect_instance(const struct view *v, uint32_t id, ald_query *q, c
 	ald_hit found;
 
 	inner_ray(p, id, r, inner_end(v, hit), &in, &found);
+	if (any_inside(v, w, p)) {
+		if (!occluded(v->geometry->plugin, v->geometry->view[p->level].accel, &w->query[p->level].q, &in))
+			return 0;
+		hit->prim = id;
+		return 1;
+	}
 	for (;;) {
 		view_nearest(&v->geometry->view[p->level], w, &in, &found);
 		if (found.prim == ALD_NONE || (!too_near(v, r, id, &found) &&
@@ -230,6 +250,17 @@ static void intersect_instance_n(const struct view *v, uint32_t id, ald_query *q
 		}
 		if (m < TRACE_BATCH && i + 1 < n)
 			continue;
+		if (any_inside(v, w, p)) {
+			memset(w->inner_hidden, 0, m);
+			accel_occluded_n(g->plugin, g->view[p->level].accel, &w->query[p->level].q, w->inner_ray,
+					 w->inner_hidden, m, 0);
+			for (uint32_t k = 0; k < m; k++) {
+				if (w->inner_hidden[k])
+					hit[w->slot[k]].prim = id;
+			}
+			m = 0;
+			continue;
+		}
 		accel_nearest_n(g->plugin, g->view[p->level].accel, &w->query[p->level].q, w->inner_ray,
 				w->inner_hit, m, 0);
 		view_settle_n(&g->view[p->level], w->inner_ray, w->inner_hit, m);
@@ -283,12 +314,6 @@ void accel_occluded_n(const ald_accel_plugin *p, const ald_accel *a, ald_query *
 		p->occluded_n(a, q, r, hidden, n, hints);
 		return;
 	}
-	for (uint32_t i = 0; i < n; i++) {
-		ald_hit h = { .t = r[i].tmax, .prim = ALD_NONE };
-
-		if (ACCEL_HAS(p, occluded))
-			hidden[i] = p->occluded(a, q, &r[i]) != 0;
-		else
-			hidden[i] = p->intersect(a, q, &r[i], &h) != 0;
-	}
+	for (uint32_t i = 0; i < n; i++)
+		hidden[i] = occluded(p, a, q, &r[i]);
 }

@@ -160,8 +160,10 @@ static void room_occluded(const struct geometry *g, struct worker *w, uint8_t *h
 		memset(hidden, 0, n);
 	if (!g->view[0].accel)
 		return;
+	w->any = true;
 	accel_occluded_n(g->plugin, g->view[0].accel, &w->query[0].q, w->ray, planes ? w->hidden : hidden,
 			 planes ? live : n, hints);
+	w->any = false;
 	process_arithmetic();
 	for (uint32_t i = 0; i < live; i++)
 		hidden[w->plane[i]] = w->hidden[i];

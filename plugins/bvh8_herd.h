@@ -19,6 +19,7 @@
 #define HERD_MANY 12u /* rays that are worth a hull */
 #define HERD_AHEAD 3u
 #define HERD_LEAST 16u
+#define HERD_DOWN 4 /* rays that go down into an instance together */
 #define HERD_FETCH (24 * sizeof(ald_ray)) /* how far ahead rays are fetched */
 #define TESTED UINT32_MAX
 
@@ -141,10 +142,53 @@ V uint32_t herd_node(const ald_accel *a, struct herd *h, uint32_t ref, uint64_t 
 			     h->box + top, h->enter + top);
 }
 
+/* Rays that come to an instance together go down into it together. */
+static __attribute__((noinline)) void herd_down(const ald_accel *a, const struct batch *s, ald_query *q, struct herd *h,
+						uint32_t ref, uint64_t lanes, int any)
+{
+	const uint32_t *list = &a->other[ref & REF_INDEX];
+	ald_ray ray[LOT];
+	ald_hit hit[LOT];
+	uint8_t live[LOT];
+	uint32_t n = 0;
+
+	for (uint64_t left = lanes; left; left &= left - 1, n++) {
+		uint32_t at = h->lot.index[__builtin_ctzll(left)];
+
+		ray[n] = s->ray[at];
+		hit[n] = any ? (ald_hit){ .t = ray[n].tmax, .prim = ALD_NONE } : s->hit[at];
+		live[n] = 1;
+	}
+	for (uint32_t k = 1; k <= list[0]; k++) {
+		a->prims->intersect_n(a->prims, list[k], q, ray, hit, live, n);
+		for (uint32_t i = 0; i < n && any; i++)
+			live[i] = hit[i].prim == ALD_NONE;
+	}
+	for (uint32_t i = 0; lanes; lanes &= lanes - 1, i++) {
+		unsigned lane = (unsigned)__builtin_ctzll(lanes);
+		uint32_t at = h->lot.index[lane];
+
+		if (any) {
+			h->found |= (uint64_t)!live[i] << lane;
+		} else if (hit[i].prim != s->hit[at].prim || hit[i].t < s->hit[at].t) {
+			s->hit[at] = hit[i];
+			beam_begin(a, &h->beam, &h->lot, lane, s, at);
+			beam_limit(&h->beam);
+			herd_cut(a, h, lane, h->beam.tfar);
+		}
+	}
+	h->live &= ~h->found;
+}
+
 V void herd_others(const ald_accel *a, const struct batch *s, ald_query *q, struct herd *h, uint32_t ref,
 		   uint64_t lanes, int any)
 {
 	struct lot *l = &h->lot;
+
+	if (a->prims->intersect_n && __builtin_popcountll(lanes) >= HERD_DOWN) {
+		herd_down(a, s, q, h, ref, lanes, any);
+		return;
+	}
 
 	for (; lanes; lanes &= lanes - 1) {
 		unsigned lane = (unsigned)__builtin_ctzll(lanes);

@@ -3,7 +3,7 @@
  *
  * A crew of bvh8's whose rays meet blocks GROUP at a time, each with a block of its own, and what a ray is to the
  * tree, in two rows of sixteen numbers. Nothing there is a branch on what is met: rays' hits are bounded in the list
- * they stand in, and what the doubles are to be asked about goes on one list for all. See bvh8_crew.h for the turns, and
+ * they stand in, and what the doubles are to be asked about goes on one list for all. See bvh8_crew.h for turns, and
  * bvh8_beam.h for what is computed and why.
  */
 #ifndef BVH8_RIDE_H

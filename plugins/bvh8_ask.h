@@ -153,6 +153,101 @@ static __attribute__((noinline)) void ask_some(const ald_accel *a, const struct 
 	q->n = 0;
 }
 
+/* ---- rays of a lot ---- */
+
+struct corners { /* of triangles, DW of them: corner, axis */
+	double v[3][3][DW];
+};
+
+/* That of lane j. */
+V void corners_set(struct corners *c, unsigned j, const ald_prims *p, uint32_t id)
+{
+	ald_vec v[3];
+
+	ald_corners(p, id, p->origin ? ald_group_of(p, id) : 0, v);
+	UNROLL
+	for (unsigned i = 0; i < 3; i++) {
+		c->v[i][0][j] = v[i].x;
+		c->v[i][1][j] = v[i].y;
+		c->v[i][2][j] = v[i].z;
+	}
+}
+
+struct due { /* of a lot, pairs that are to be decided once what they need has been fetched */
+	const struct lines *lines;
+	uint64_t some; /* lanes */
+	uint32_t axis[3]; /* kx, ky, kz of all */
+	uint32_t id[LOT], ray[LOT], corner[3][LOT];
+} __attribute__((aligned(64)));
+
+#if ISA_LEVEL >= 3
+V void corners_gather(struct corners *c, const ald_prims *p, const struct due *d, unsigned at, uint32_t row)
+{
+	__mmask8 m = (__mmask8)row;
+
+	UNROLL
+	for (unsigned i = 0; i < 3; i++) {
+		__m512i v = _mm512_cvtepu32_epi64(_mm256_load_si256((const __m256i *)&d->corner[i][at]));
+
+		v = _mm512_add_epi64(v, _mm512_slli_epi64(v, 1));
+		UNROLL
+		for (unsigned k = 0; k < 3; k++) {
+			dv x;
+
+			if (p->vertex_double)
+				x = _mm512_mask_i64gather_pd(dv_all(0), m, v, (const double *)p->vertex + k, 8);
+			else
+				x = _mm512_cvtps_pd(_mm512_mask_i64gather_ps(_mm256_setzero_ps(), m, v,
+									     (const float *)p->vertex + k, 4));
+			dv_store(c->v[i][k], x);
+		}
+	}
+}
+#endif
+
+/* Lanes at and on, those of row. */
+V void due_corners(struct corners *c, const ald_prims *p, const struct due *d, unsigned at, uint32_t row)
+{
+#if ISA_LEVEL >= 3
+	if (!p->origin) {
+		corners_gather(c, p, d, at, row);
+		return;
+	}
+#endif
+	for (; row; row &= row - 1)
+		corners_set(c, (unsigned)__builtin_ctz(row), p, d->id[at + (unsigned)__builtin_ctz(row)]);
+}
+
+/* Lines at and on, DW of them, with a triangle each; all of them have the same axes, kx, ky and kz. */
+V void lines_answer(const struct lines *e, unsigned at, const struct corners *c, const uint32_t axis[3],
+		    struct answer *r)
+{
+	dv sx = dv_load(e->shear[0] + at), sy = dv_load(e->shear[1] + at), o[3];
+	struct pairs p;
+
+	UNROLL
+	for (unsigned k = 0; k < 3; k++) {
+		p.o[k] = dv_load(e->o[k] + at);
+		p.d[k] = dv_load(e->d[k] + at);
+		p.inv[k] = dv_load(e->inv[k] + at);
+		o[k] = dv_load(e->o[axis[k]] + at);
+		UNROLL
+		for (unsigned i = 0; i < 3; i++)
+			p.v[i][k] = dv_load(c->v[i][k]);
+	}
+	UNROLL
+	for (unsigned i = 0; i < 3; i++) {
+		dv z = dv_sub(dv_load(c->v[i][axis[2]]), o[2]);
+
+		p.x[i] = dv_sub(dv_sub(dv_load(c->v[i][axis[0]]), o[0]), dv_mul(sx, z));
+		p.y[i] = dv_sub(dv_sub(dv_load(c->v[i][axis[1]]), o[1]), dv_mul(sy, z));
+	}
+	p.pad = dv_load(e->pad + at);
+	p.first = dv_load(e->first + at);
+	p.last = dv_load(e->last + at);
+	pairs_answer(&p, r);
+}
+
 /* Decide all that is asked. */
 V void ask(const ald_accel *a, const struct batch *b, struct asked *q)
 {

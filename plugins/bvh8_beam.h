@@ -17,6 +17,10 @@
 #include "bvh8_ask.h"
 
 #define PENDING 8u
+/* Of a block's slack, what counts at no distance, for a triangle of any extent and of extent 1, and for each 1 of z. */
+#define SLACK_LEAST (1 / 11.9f)
+#define SLACK_SQUARE (3.6f / 12 / (12 * EDGE_ERROR))
+#define SLACK_SLOPE (1.76f / 11.9f)
 #define DONE EMPTY /* the next step of a walk that has ended */
 
 struct aim { /* a ray, as triangles see it */
@@ -25,7 +29,7 @@ struct aim { /* a ray, as triangles see it */
 	float zfar; /* nothing beyond counts */
 	float before, sure_lo, sure_hi; /* nothing before counts; a z between is of a t that counts */
 	float zerror, pad; /* how far a z may be off, where the ray begins */
-	float grow, reach; /* of slacks, for rays from far away; twice a triangle's extent is slack * reach */
+	float grow; /* of slacks, for rays from far away */
 	float back; /* t = z back */
 	uint32_t axis[3];
 };
@@ -50,6 +54,12 @@ struct beam {
 	float enter[STACK_MAX + WIDTH]; /* where it is entered */
 	uint32_t below[STACK_MAX + WIDTH]; /* what is still to be seen */
 };
+
+/* Slacks grow by its square for a ray of this pad: that is off by pad more, h by 2 pad. */
+V float far_of(float pad)
+{
+	return 1 + 20 * pad / EDGE_ERROR;
+}
 
 V void beam_cut(struct beam *b, float t)
 {
@@ -80,7 +90,7 @@ V void beam_begin(const ald_accel *a, struct beam *b, const struct lot *l, unsig
 {
 	uint32_t kz = (uint32_t)(l->main[1] >> i & 1) + 2 * (uint32_t)(l->main[2] >> i & 1), kx = kz == 2 ? 0 : kz + 1;
 	uint32_t ky = kx == 2 ? 0 : kx + 1;
-	float far = 1 + 4 * l->pad[i] / EDGE_ERROR, first, last;
+	float far = far_of(l->pad[i]), first, last;
 	struct aim *aim = &b->aim;
 
 	b->way = ORDER_TURNED;
@@ -110,7 +120,6 @@ V void beam_begin(const ald_accel *a, struct beam *b, const struct lot *l, unsig
 	aim->pad = l->pad[i];
 	aim->zerror = a->fast ? 0 : depth_error(l->pad[i]);
 	aim->grow = a->fast ? 0 : far * far;
-	aim->reach = 1 / (6 * EDGE_ERROR) / (far * far);
 	first = l->first[i] * b->depth;
 	last = l->last[i] * b->depth;
 	aim->before = first - fabsf(first) * DEPTH_LEAST;
@@ -176,7 +185,7 @@ struct meeting { /* of a ray with the triangles of a block */
  * an edge, Q that of q, the normal's are off by less than 4 s 2^-24 (1 + s) + 6 s s 2^-24, and N, with its own
  * roundings, by less than 2^-24 (12 s Q + 6 s s + 54 s s Q) + 6 s s pad. A slack of more than 12 EDGE_ERROR s bounds
  * s. Where the line meets the triangle, the sum of the weights has its sign if it is more than 3 slack. */
-V uint32_t block_behind(const struct aim *t, const struct block *n, const f4 to[3], f4 sum)
+V uint32_t block_behind(const struct aim *t, const struct block *n, const f4 to[3], f4 sum, f4 slack)
 {
 	uint32_t x = t->axis[0], y = t->axis[1], z = t->axis[2];
 	f4 side = f4_all(t->side), ax = f4_load(n->v[0][x]), ay = f4_load(n->v[0][y]), az = f4_load(n->v[0][z]);
@@ -184,10 +193,10 @@ V uint32_t block_behind(const struct aim *t, const struct block *n, const f4 to[
 	f4 ez = f4_mul(f4_sub(f4_load(n->v[1][z]), az), side), gx = f4_sub(f4_load(n->v[2][x]), ax);
 	f4 gy = f4_sub(f4_load(n->v[2][y]), ay), gz = f4_mul(f4_sub(f4_load(n->v[2][z]), az), side);
 	f4 nx = f4_mul_sub(ey, gz, f4_mul(ez, gy)), ny = f4_mul_sub(ez, gx, f4_mul(ex, gz));
-	f4 nz = f4_mul_sub(ex, gy, f4_mul(ey, gx)), slack = f4_load(n->slack);
-	f4 s = f4_mul(slack, f4_all(1 / (11 * EDGE_ERROR))), up, e, most;
+	f4 nz = f4_mul_sub(ex, gy, f4_mul(ey, gx));
+	f4 s = f4_mul(f4_load(n->slack), f4_all(1 / (11 * EDGE_ERROR))), up, e, most;
 
-	slack = f4_mul(slack, f4_all(3 * t->grow));
+	slack = f4_mul(slack, f4_all(3));
 	most = f4_max(f4_max(f4_size(to[0]), f4_size(to[1])), f4_size(to[2]));
 	up = f4_mul_add(nx, to[0], f4_mul_add(ny, to[1], f4_mul(nz, to[2])));
 	e = f4_mul_add(s, f4_all(0x1p-18f), f4_all(0x1p-20f));
@@ -203,21 +212,21 @@ V uint32_t block_behind(const struct aim *t, const struct block *n, const f4 to[
  * origin are off by 2^-25 each, and the ray's pad, and their difference by 2^-24 of itself, which counts twice, once
  * in S; the mean takes six roundings, 3 slack S / (D - 3 slack) where it is less than S less than 2^-21 S: with the
  * corners' z of at most Z, in all 2^-23 + 2 pad + 2^-19 Z. The kernel's own t is off by less than 9 u of n . q over
- * n . d, u = 2^-53, so its z, with D > 3 slack > 36 EDGE_ERROR s, by less than 2^19 u s Q, Q how far away the ray's own
- * origin is: 2^14 pad at most, as pad holds 64 u Q. DEPTH_LEAST and 2^15 pad cover both. */
+ * n . d, u = 2^-53, so its z, with D > 3 slack > 3 EDGE_ERROR s, by less than 2^23 u s Q, Q how far away the ray's own
+ * origin is: 2^18 pad at most, as pad holds 64 u Q. DEPTH_LEAST and DEPTH_PAD cover both. */
 V void block_bounds(const struct aim *t, const struct block *n, struct meeting *m, const f4 to[3], f4 zmin, f4 zmax,
-		    f4 wide, f4 slack, f4 least, f4 most, int early)
+		    f4 zsize, f4 wide, f4 slack, f4 least, f4 most, int early)
 {
 	f4 sum = f4_add(f4_add(m->a, m->b), m->c), three = f4_mul(slack, f4_all(3));
 	f4 z = f4_mul_add(m->a, m->az, f4_mul_add(m->b, m->bz, f4_mul(m->c, m->cz))), off, error;
 
-	error = f4_mul_add(f4_max(f4_size(zmin), f4_size(zmax)), f4_all(DEPTH_RELATIVE), f4_all(t->zerror));
+	error = f4_mul_add(zsize, f4_all(DEPTH_RELATIVE), f4_all(t->zerror));
 	off = f4_mul(three, f4_sub(zmax, zmin));
 	off = f4_div(off, f4_max(f4_sub(f4_size(sum), three), f4_all(0x1p-100f)));
 	off = f4_add(off, error);
 	z = f4_div(z, sum);
 	m->sure = f4_le(slack, least) | f4_le(most, f4_negate(slack));
-	m->sure &= f4_le(wide, f4_mul(slack, f4_all(t->reach)));
+	m->sure &= f4_le(wide, f4_mul(f4_load(n->slack), f4_all(1 / (6 * EDGE_ERROR))));
 	zmin = f4_sub(zmin, error);
 	zmax = f4_add(zmax, error);
 	m->low = f4_max(f4_pick(m->sure, f4_sub(z, off), zmin), zmin);
@@ -225,7 +234,22 @@ V void block_bounds(const struct aim *t, const struct block *n, struct meeting *
 	m->maybe &= f4_le(f4_all(t->before), m->high);
 	m->sure &= f4_le(m->high, f4_all(t->sure_hi)) & f4_le(f4_all(t->sure_lo), m->low) & m->maybe;
 	if (!early || (m->maybe & ~m->sure & f4_le(m->low, f4_all(t->sure_lo))))
-		m->maybe &= ~block_behind(t, n, to, sum) | m->sure;
+		m->maybe &= ~block_behind(t, n, to, sum, slack) | m->sure;
+}
+
+/* What a weight may be off by, given how far along kz the corners are at most; a block's own slack is for any.
+ *
+ * Let z be that, x the triangle's extent. Corners and origin are off by 2^-25 each, the origin's z counting as much as
+ * its x, for slopes are at most 1. Differences of them are off by 2^-24 of z and of z + 2 x, the slope by 2^-25, its
+ * product and the last difference by 2^-24 of z and of 2 x. So a sheared coordinate is off by h <= 2^-24 (2 + 3.5 z +
+ * 4 x), and a weight by 8 x h + 2 h h + 16 * 2^-24 x x <= EDGE_ERROR x (1 + 1.75 z + 3 x) + 2 h h; for the last term
+ * what a slack holds of 4 EDGE_ERROR instead of x is enough. Triangles that are small and near, as they are where a
+ * ray starts, would be asked about ten times as often by their block's slack. */
+V f4 block_slack(const struct aim *t, const struct block *n, f4 zsize)
+{
+	f4 slack = f4_load(n->slack), part = f4_mul_add(f4_size(slack), f4_all(SLACK_SQUARE), f4_all(SLACK_LEAST));
+
+	return f4_mul(f4_mul(slack, f4_all(t->grow)), f4_mul_add(zsize, f4_all(SLACK_SLOPE), part));
 }
 
 /* early: most often nothing may be hit, and then it ends here. */
@@ -236,7 +260,7 @@ V void block_meet(const ald_accel *a, const struct aim *t, const struct block *n
 	uint32_t x = t->axis[0], y = t->axis[1], z = t->axis[2];
 	f4 ox = f4_all(t->o[0]), oy = f4_all(t->o[1]), oz = f4_all(t->o[2]), side = f4_all(t->side);
 	f4 sx = f4_all(t->shear[0]), sy = f4_all(t->shear[1]), to[3], ax, ay, bx, by, cx, cy;
-	f4 least, most, wide, slack, zmin, zmax;
+	f4 least, most, wide, slack, zmin, zmax, zsize;
 
 	m->az = f4_mul_sub(f4_load(v0[z]), side, oz);
 	m->bz = f4_mul_sub(f4_load(v1[z]), side, oz);
@@ -255,7 +279,8 @@ V void block_meet(const ald_accel *a, const struct aim *t, const struct block *n
 	m->c = f4_mul_sub(bx, ay, f4_mul(by, ax));
 	least = f4_min(m->a, f4_min(m->b, m->c));
 	most = f4_max(m->a, f4_max(m->b, m->c));
-	slack = f4_mul(f4_load(n->slack), f4_all(t->grow));
+	zsize = f4_max(f4_size(m->az), f4_max(f4_size(m->bz), f4_size(m->cz)));
+	slack = block_slack(t, n, zsize);
 	zmin = f4_min(m->az, f4_min(m->bz, m->cz));
 	zmax = f4_max(m->az, f4_max(m->bz, m->cz));
 	m->maybe = f4_le(f4_negate(slack), least) | f4_le(most, slack);
@@ -274,7 +299,7 @@ V void block_meet(const ald_accel *a, const struct aim *t, const struct block *n
 		return;
 	wide = f4_max(f4_max(f4_max(f4_size(ax), f4_size(ay)), f4_max(f4_size(bx), f4_size(by))),
 		      f4_max(f4_size(cx), f4_size(cy)));
-	block_bounds(t, n, m, to, zmin, zmax, wide, slack, least, most, early);
+	block_bounds(t, n, m, to, zmin, zmax, zsize, wide, slack, least, most, early);
 }
 
 /* Bounds as t, rounded outward. */

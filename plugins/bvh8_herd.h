@@ -233,7 +233,7 @@ V uint32_t herd_together(const ald_accel *a, int any)
  * the next boxes may come too late by as many, which where any will do is rare. */
 V uint32_t herd_delay(const ald_accel *a, int any)
 {
-	return a->far > 1 ? (any ? HERD_LATER : 3) : a->far && any;
+	return a->far > 1 ? (any ? HERD_LATER : 5) : a->far && any ? 3 : 0;
 }
 
 /* One that comes off the stack takes its turn to wait, and another is due: *ref and the lanes it is for. */
@@ -288,7 +288,8 @@ V void herd_walk(const ald_accel *a, const struct batch *s, struct asked *asked,
 			continue;
 		if (ref < REF_LEAF) {
 			top = herd_node(a, h, ref, mask, top, any);
-			herd_fetch(a, h, top);
+			if (!delay)
+				herd_fetch(a, h, top);
 			continue;
 		}
 		if (!h->aimed)
@@ -319,6 +320,16 @@ V uint32_t way_of(const ald_ray *r)
 
 	memcpy(d, &r->dir, sizeof(d));
 	return (2 - 2 * first - second) * 8 + (uint32_t)(d[0] >> 63 | d[1] >> 63 << 1 | d[2] >> 63 << 2);
+}
+
+/* Do most rays go the way of those beside them? Then they need no order. */
+V int herd_is_sorted(const ald_ray *ray, uint32_t n)
+{
+	uint32_t ways = 0, step = n / 16 + 1;
+
+	for (uint32_t i = 0; i < n; i += step)
+		ways |= 1u << way_of(&ray[i]);
+	return __builtin_popcount(ways) <= 4;
 }
 
 /* Rays by the way they go: order[], and behind each way where it ends there. */
@@ -353,30 +364,42 @@ V void herd_sort(const ald_ray *ray, uint32_t n, uint16_t *order, uint32_t end[W
 		order[end[way[i]]++] = (uint16_t)i;
 }
 
-/* n rays that go one way. */
-V void herd_serve(const ald_accel *a, const struct batch *b, struct asked *asked, ald_query *q, struct herd *h,
-		  const uint16_t *order, uint32_t from, uint32_t n, uint32_t way, int any)
+/* Rays of one way, of a lot that is filled. */
+V void herd_way(struct herd *h, unsigned lane, uint64_t among)
 {
-	struct lot *l = &h->lot;
+	const struct lot *l = &h->lot;
 
-	for (uint32_t i = 0; i < n; i++)
-		l->index[i] = from + order[i];
-	lot_fill(a, l, b, n);
-	lot_odd(a, q, b, l, any);
-	h->live = l->live & ~l->odd;
-	if (!h->live)
-		return;
-	h->size = n;
-	h->axis[2] = way / 8;
+	h->axis[2] = (uint32_t)(l->main[1] >> lane & 1) + 2 * (uint32_t)(l->main[2] >> lane & 1);
 	h->axis[0] = h->axis[2] == 2 ? 0 : h->axis[2] + 1;
 	h->axis[1] = h->axis[0] == 2 ? 0 : h->axis[0] + 1;
-	h->side = way >> h->axis[2] & 1 ? -1.0f : 1.0f;
+	h->side = l->sign[h->axis[2]] >> lane & 1 ? -1.0f : 1.0f;
+	h->live = among & l->main[h->axis[2]];
 	UNROLL
 	for (unsigned k = 0; k < 3; k++) {
-		h->near[k] = 2 * k + (way >> k & 1);
-		h->far[k] = 2 * k + 1 - (way >> k & 1);
+		uint64_t down = 0 - (l->sign[k] >> lane & 1);
+
+		h->live &= ~(l->sign[k] ^ down);
+		h->near[k] = 2 * k + (down & 1);
+		h->far[k] = 2 * k + 1 - (down & 1);
 	}
-	herd_walk(a, b, asked, q, h, any);
+}
+
+/* The n rays of lot.index[]. */
+V void herd_serve(const ald_accel *a, const struct batch *b, struct asked *asked, ald_query *q, struct herd *h,
+		  uint32_t n, int any)
+{
+	struct lot *l = &h->lot;
+	uint64_t left;
+
+	h->lines = h->lines == h->both ? h->both + 1 : h->both;
+	lot_fill_lines(a, l, h->lines, b, n);
+	lot_odd(a, q, b, l, any);
+	h->size = n;
+	for (left = l->live & ~l->odd; left; left &= ~h->live_first) {
+		herd_way(h, (unsigned)__builtin_ctzll(left), left);
+		h->live_first = h->live;
+		herd_walk(a, b, asked, q, h, any);
+	}
 }
 
 #endif

@@ -12,15 +12,19 @@
 
 #if ISA_LEVEL >= 2
 #define HERD_PENDING 512u
-#define HERD_LATER 6u /* at most: of what comes off the stack, what is fetched before it is used */
+#define HERD_ROW 3 /* rays beside each other that are worth asking the doubles about together */
+#define HERD_LATER 8u /* at most: of what comes off the stack, what is fetched before it is used */
 
 struct herd {
 	struct lot lot;
+	struct lines *lines, both[2]; /* the lot's, and those of the one before */
+	struct due due;
 	float aim[LOT][16]; /* of each ray, once one has come to a leaf: see herd_aims() */
 	f8 edge_near[3], edge_far[3], slow[3], fast[3]; /* the hull: origins, inverse directions */
-	uint64_t live, found, asked; /* lanes; asked: the doubles were, before the end */
+	uint64_t best; /* lanes of which a triangle is known that is surely hit, AIM_ID, at no less than AIM_BEST */
+	uint64_t live, live_first, found, asked; /* lanes; live_first: before the walk; asked: the doubles were, before the end */
 	float reach; /* tfar of the farthest */
-	float side, grow, extent; /* extent: see beam's reach */
+	float side, grow;
 	uint32_t near[3], far[3]; /* which planes of a node */
 	uint32_t axis[3], size, aimed;
 	uint32_t steps, rays; /* nodes that were opened, by how many rays */
@@ -65,7 +69,7 @@ V void herd_hull(struct herd *h, float pad)
 
 /* What triangles want to know of a ray, in fours. See struct aim for all of these. */
 enum { AIM_OX, AIM_OY, AIM_OZ, AIM_ZFAR, AIM_SX, AIM_SY, AIM_ZERROR, AIM_BEFORE, AIM_SURE_LO, AIM_SURE_HI, AIM_PAD,
-       AIM_BACK, AIM_SKIP, AIM_DEPTH };
+       AIM_BACK, AIM_SKIP, AIM_DEPTH, AIM_BEST, AIM_ID };
 
 static __attribute__((noinline)) void herd_aims(const ald_accel *a, struct herd *h, const struct batch *s)
 {
@@ -79,7 +83,7 @@ static __attribute__((noinline)) void herd_aims(const ald_accel *a, struct herd 
 	for (unsigned i = 0; i < h->size; i += 8) {
 		f8 depth = f8_load(l->depth + i), pad = f8_load(l->pad + i), near, far, zerror, zfar, t;
 
-		zerror = a->fast ? f8_all(0) : f8_mul_add(pad, f8_all(0x1p15f), tiny);
+		zerror = a->fast ? f8_all(0) : f8_mul_add(pad, f8_all(DEPTH_PAD), tiny);
 		zfar = f8_mul_add(f8_load(l->tfar + i), depth, f8_add(zerror, f8_all(a->fast ? 0 : DEPTH_ERROR)));
 		f8_rows(h->aim + i, AIM_OX, f8_load(l->o[h->axis[0]] + i), f8_load(l->o[h->axis[1]] + i),
 			f8_mul(f8_load(l->o[h->axis[2]] + i), side), zfar);
@@ -90,7 +94,7 @@ static __attribute__((noinline)) void herd_aims(const ald_accel *a, struct herd 
 		far = f8_mul(f8_load(l->last + i), depth);
 		f8_rows(h->aim + i, AIM_SURE_LO, f8_add(near, t), f8_sub(far, f8_mul(f8_size(far), tiny)), pad,
 			f8_mul(f8_load(l->inverse[h->axis[2]] + i), side));
-		f8_rows(h->aim + i, AIM_SKIP, f8_load(skip + i), depth, depth, depth);
+		f8_rows(h->aim + i, AIM_SKIP, f8_load(skip + i), depth, f8_all(INFINITY), depth);
 	}
 }
 
@@ -100,7 +104,7 @@ V void herd_begin(const ald_accel *a, struct herd *h)
 	f16 pads = f16_all(0), reach = f16_all(-INFINITY);
 	float pad, far;
 
-	h->found = h->asked = 0;
+	h->found = h->asked = h->best = 0;
 	h->pending = 0;
 	for (unsigned i = 0; i < h->size; i += 16) {
 		uint32_t in = (uint32_t)(h->live >> i) & 0xffff;
@@ -111,9 +115,8 @@ V void herd_begin(const ald_accel *a, struct herd *h)
 	h->aimed = 0;
 	h->reach = f16_most(reach);
 	pad = f16_most(pads);
-	far = 1 + 4 * pad / EDGE_ERROR;
+	far = far_of(pad);
 	h->grow = a->fast ? 0 : far * far;
-	h->extent = 1 / (6 * EDGE_ERROR) / (far * far);
 	herd_hull(h, pad);
 }
 
@@ -126,20 +129,130 @@ V void herd_cut(const ald_accel *a, struct herd *h, unsigned lane, float t)
 	aim[AIM_ZFAR] = t * aim[AIM_DEPTH] + (a->fast ? 0 : aim[AIM_ZERROR] + DEPTH_ERROR);
 }
 
-/* Give the doubles what is pending. */
+/* An answer of the doubles', t being between first and what is known: nearly all are so. */
+V void due_take(const ald_accel *a, const struct batch *s, const struct due *d, unsigned lane, const struct answer *r,
+		unsigned j)
+{
+	uint32_t ray = d->ray[lane];
+	double t = r->t[j];
+
+	if (r->doubt >> j & 1 || !(t > d->lines->first[lane]) ||
+	    !(t < (s->hit ? s->hit[ray].t : d->lines->last[lane])))
+		answer_take(a, s, r, j, ray, d->id[lane]);
+	else if (s->hit)
+		s->hit[ray] = (ald_hit){ .t = t, .u = r->u[j], .v = r->v[j], .prim = d->id[lane] };
+	else
+		s->hidden[ray] = 1;
+}
+
+/* Ask about what is due, DW rays at once. */
+static __attribute__((noinline)) void due_ask(const ald_accel *a, const struct batch *s, struct due *d)
+{
+	struct corners c = { 0 };
+
+	for (unsigned at = 0; at < LOT; at += DW) {
+		uint32_t row = (uint32_t)(d->some >> at) & ((1u << DW) - 1);
+		struct answer r;
+
+		if (!row)
+			continue;
+		due_corners(&c, a->prims, d, at, row);
+		lines_answer(d->lines, at, &c, d->axis, &r);
+		for (uint32_t bits = (r.hit | r.doubt) & row; bits; bits &= bits - 1) {
+			unsigned j = (unsigned)__builtin_ctz(bits);
+
+			due_take(a, s, d, at + j, &r, j);
+		}
+	}
+	d->some = 0;
+}
+
+/* The best triangles of these lanes are due once another herd has walked: until then they are fetched. */
+V void herd_due(const ald_accel *a, const struct herd *h, struct due *d, uint64_t some)
+{
+	const ald_prims *p = a->prims;
+	size_t size = p->vertex_double ? 8 : 4;
+
+	d->lines = h->lines;
+	d->some = some;
+	for (unsigned k = 0; k < 3; k++)
+		d->axis[k] = h->axis[k];
+	for (; some; some &= some - 1) {
+		unsigned lane = (unsigned)__builtin_ctzll(some);
+		uint32_t id;
+
+		memcpy(&id, &h->aim[lane][AIM_ID], sizeof(id));
+		d->id[lane] = id;
+		d->ray[lane] = h->lot.index[lane];
+		for (unsigned k = 0; k < 3; k++) {
+			uint32_t corner = p->index[3 * (size_t)id + k];
+
+			d->corner[k][lane] = corner;
+			__builtin_prefetch((const char *)p->vertex + 3 * corner * size);
+			__builtin_prefetch((const char *)p->vertex + 3 * corner * size + 2 * size);
+		}
+	}
+}
+
+/* Of these lanes those that have DW - 1 beside them with others: worth a row. */
+V uint64_t herd_rows_of(uint64_t some)
+{
+	uint64_t rows = 0;
+
+	for (unsigned at = 0; at < LOT; at += DW) {
+		uint64_t row = some & (((uint64_t)1 << DW) - 1) << at;
+
+		rows |= __builtin_popcountll(row) < HERD_ROW ? 0 : row;
+	}
+	return rows;
+}
+
+V void herd_queue(const ald_accel *a, const struct batch *s, struct asked *q, struct herd *h, uint32_t lane,
+		  uint32_t id, int reached)
+{
+	if (q->n == ASKED_MAX)
+		ask(a, s, q);
+	q->ray[q->n] = h->lot.index[lane];
+	q->id[q->n] = id;
+	q->n += (uint32_t)(reached & !(h->found >> lane & 1));
+	h->asked |= (uint64_t)1 << lane;
+}
+
+/* Give the doubles what is pending: the best of each ray where rays beside each other have some, and the rest with
+ * what other herds leave. */
 V void herd_settle(const ald_accel *a, const struct batch *s, struct asked *q, struct herd *h)
 {
-	for (uint32_t i = 0; i < h->pending; i++) {
+	const struct lot *l = &h->lot;
+	uint64_t some = h->best, rows;
+	uint32_t id;
+
+	for (uint32_t i = 0; i < h->pending && !a->frame.exact; i++) {
 		uint32_t lane = h->lane[i];
 
-		if (q->n == ASKED_MAX)
-			ask(a, s, q);
-		q->ray[q->n] = h->lot.index[lane];
-		q->id[q->n] = h->id[i];
-		q->n += !(h->low[i] > h->lot.tfar[lane]) & !(h->found >> lane & 1);
-		h->asked |= (uint64_t)1 << lane;
+		if ((some | h->found) >> lane & 1 || h->low[i] > l->tfar[lane])
+			continue;
+		memcpy(&h->aim[lane][AIM_ID], &h->id[i], sizeof(*h->id));
+		some |= (uint64_t)1 << lane;
+		h->low[i] = INFINITY;
 	}
+	if (h->due.some)
+		due_ask(a, s, &h->due);
+	rows = herd_rows_of(some);
+	if (rows)
+		herd_due(a, h, &h->due, rows);
+	for (uint64_t bits = some & ~rows; bits; bits &= bits - 1) {
+		unsigned lane = (unsigned)__builtin_ctzll(bits);
+
+		memcpy(&id, &h->aim[lane][AIM_ID], sizeof(id));
+		herd_queue(a, s, q, h, lane, id, 1);
+	}
+	for (uint32_t i = 0; i < h->pending; i++)
+		herd_queue(a, s, q, h, h->lane[i], h->id[i], !(h->low[i] > l->tfar[h->lane[i]]));
+	h->asked |= rows;
 	h->pending = 0;
+	h->best = 0;
+	for (; some; some &= some - 1)
+		h->aim[__builtin_ctzll(some)][AIM_BEST] = INFINITY;
 }
 
 /* beam_certain() for all: their triangles are pending no more. */
@@ -180,23 +293,27 @@ V void herd_certain(const struct batch *s, struct herd *h)
 /* ---- triangles ---- */
 
 struct seats { /* a block, as the herd's axes have it, once for each ray of a group */
-	gv x[3], y[3], z[3], slack;
+	gv x[3], y[3], z[3], slack, slope; /* slope: by which the slack grows with z; see block_slack() */
 };
 
 V void seats_set(const struct herd *h, const struct block *n, struct seats *e)
 {
+	gv slack;
+
 	UNROLL
 	for (unsigned i = 0; i < 3; i++) {
 		e->x[i] = g_seats(n->v[i][h->axis[0]]);
 		e->y[i] = g_seats(n->v[i][h->axis[1]]);
 		e->z[i] = g_mul(g_seats(n->v[i][h->axis[2]]), g_all(h->side));
 	}
-	e->slack = g_mul(g_seats(n->slack), g_all(h->grow));
+	slack = g_mul(g_seats(n->slack), g_all(h->grow));
+	e->slack = g_mul(slack, g_mul_add(g_size(g_seats(n->slack)), g_all(SLACK_SQUARE), g_all(SLACK_LEAST)));
+	e->slope = g_mul(slack, g_all(SLACK_SLOPE));
 }
 
 struct encounter { /* as struct meeting */
-	gv a, b, c, ax, ay, az, bx, by, bz, cx, cy, cz, zmin, zmax, least, most;
-	gv aim[3]; /* fours of each ray */
+	gv a, b, c, ax, ay, az, bx, by, bz, cx, cy, cz, zmin, zsize, least, most, slack;
+	gv aim[4]; /* fours of each ray */
 	uint32_t maybe, sure;
 };
 
@@ -223,12 +340,14 @@ V void herd_weigh(const struct herd *h, const struct seats *e, const uint32_t *l
 	m->least = g_min(m->a, g_min(m->b, m->c));
 	m->most = g_max(m->a, g_max(m->b, m->c));
 	m->zmin = g_min(m->az, g_min(m->bz, m->cz));
-	m->maybe = g_le(g_negate(e->slack), m->least) | g_le(m->most, e->slack);
+	m->zsize = g_max(g_size(m->az), g_max(g_size(m->bz), g_size(m->cz)));
+	m->slack = g_mul_add(m->zsize, e->slope, e->slack);
+	m->maybe = g_le(g_negate(m->slack), m->least) | g_le(m->most, m->slack);
 	m->maybe &= g_le(m->zmin, G_SPREAD(o, 3));
 }
 
 /* As block_behind(). */
-V uint32_t herd_behind(const struct herd *h, const struct block *n, const struct seats *v, const struct encounter *m,
+V uint32_t herd_behind(const struct block *n, const struct seats *v, const struct encounter *m,
 		       gv sum)
 {
 	gv ex = g_sub(v->x[1], v->x[0]), ey = g_sub(v->y[1], v->y[0]), ez = g_sub(v->z[1], v->z[0]);
@@ -237,7 +356,7 @@ V uint32_t herd_behind(const struct herd *h, const struct block *n, const struct
 	gv nz = g_mul_sub(ex, gy, g_mul(ey, gx)), s = g_mul(g_seats(n->slack), g_all(1 / (11 * EDGE_ERROR)));
 	gv qx = g_sub(v->x[0], G_SPREAD(m->aim[0], 0)), qy = g_sub(v->y[0], G_SPREAD(m->aim[0], 1)), slack, up, e, most;
 
-	slack = g_mul(g_seats(n->slack), g_all(3 * h->grow));
+	slack = g_mul(m->slack, g_all(3));
 	most = g_max(g_max(g_size(qx), g_size(qy)), g_size(m->az));
 	up = g_mul_add(nx, qx, g_mul_add(ny, qy, g_mul(nz, m->az)));
 	e = g_mul_add(s, g_all(0x1p-18f), g_all(0x1p-20f));
@@ -248,7 +367,7 @@ V uint32_t herd_behind(const struct herd *h, const struct block *n, const struct
 
 /* As block_bounds(); low, and high, as t. Where the line is surely hit all weights have one sign, and D, their sum,
  * is at least 3 slack: so 6 slack S / D bounds 3 slack S / (D - 3 slack), or is more than S. */
-V void herd_bounds(const struct herd *h, const struct block *n, const struct seats *e, struct encounter *m, gv *low,
+V void herd_bounds(const struct block *n, const struct seats *e, struct encounter *m, gv *low,
 		   gv *high)
 {
 	gv sum = g_add(g_add(m->a, m->b), m->c), one = g_div(g_all(1), sum), wide, error, off, z, back;
@@ -256,13 +375,13 @@ V void herd_bounds(const struct herd *h, const struct block *n, const struct sea
 	gv sure_lo = G_SPREAD(m->aim[2], 0), sure_hi = G_SPREAD(m->aim[2], 1);
 
 	z = g_mul(g_mul_add(m->a, m->az, g_mul_add(m->b, m->bz, g_mul(m->c, m->cz))), one);
-	error = g_mul_add(g_max(g_size(zmin), g_size(zmax)), g_all(DEPTH_RELATIVE), zerror);
-	off = g_mul(g_mul(e->slack, g_all(6)), g_sub(zmax, zmin));
+	error = g_mul_add(m->zsize, g_all(DEPTH_RELATIVE), zerror);
+	off = g_mul(g_mul(m->slack, g_all(6)), g_sub(zmax, zmin));
 	off = g_mul_add(off, g_size(one), error);
 	wide = g_max(g_max(g_max(g_size(m->ax), g_size(m->ay)), g_max(g_size(m->bx), g_size(m->by))),
 		     g_max(g_size(m->cx), g_size(m->cy)));
-	m->sure = g_le(e->slack, m->least) | g_le(m->most, g_negate(e->slack));
-	m->sure &= g_le(wide, g_mul(e->slack, g_all(h->extent)));
+	m->sure = g_le(m->slack, m->least) | g_le(m->most, g_negate(m->slack));
+	m->sure &= g_le(wide, g_mul(g_seats(n->slack), g_all(1 / (6 * EDGE_ERROR))));
 	zmin = g_sub(zmin, error);
 	zmax = g_add(zmax, error);
 	*low = g_max(g_pick(m->sure, g_sub(z, off), zmin), zmin);
@@ -270,7 +389,7 @@ V void herd_bounds(const struct herd *h, const struct block *n, const struct sea
 	m->maybe &= g_le(G_SPREAD(m->aim[1], 3), *high);
 	m->sure &= g_le(*high, sure_hi) & g_le(sure_lo, *low) & m->maybe;
 	if (m->maybe & ~m->sure & g_le(*low, sure_lo))
-		m->maybe &= ~herd_behind(h, n, e, m, sum) | m->sure;
+		m->maybe &= ~herd_behind(n, e, m, sum) | m->sure;
 	back = G_SPREAD(m->aim[2], 3);
 	*low = g_mul(*low, back);
 	*low = g_sub_mul(*low, g_size(*low), g_all(0x1p-20f));
@@ -307,7 +426,8 @@ V void herd_meet_fast(const ald_accel *a, const struct batch *s, struct herd *h,
 V void herd_see(const ald_accel *a, const struct batch *s, const struct herd *h, const struct block *n,
 		const uint32_t *lane, struct encounter *m)
 {
-	m->maybe &= ~g_same(g_seats((const float *)n->id), G_SPREAD(g_rows(h->aim, AIM_SKIP, lane), 0));
+	m->aim[3] = g_rows(h->aim, AIM_SKIP, lane);
+	m->maybe &= ~g_same(g_seats((const float *)n->id), G_SPREAD(m->aim[3], 0));
 	for (uint32_t bits = a->prims->mask ? m->maybe : 0; bits; bits &= bits - 1) {
 		unsigned i = (unsigned)__builtin_ctz(bits);
 
@@ -316,13 +436,37 @@ V void herd_see(const ald_accel *a, const struct batch *s, const struct herd *h,
 	}
 }
 
+/* Some are hit for sure: nothing beyond counts. Where no other triangle of the block may be hit and all that the ray
+ * has met is surely behind, that one is the best, and pending no more. */
+V void herd_nearer(const ald_accel *a, struct herd *h, const struct block *n, const uint32_t *lane,
+		   struct encounter *m, gv low, gv high)
+{
+	float lows[4 * GROUP] __attribute__((aligned(64))), highs[4 * GROUP] __attribute__((aligned(64)));
+	uint32_t first = a->frame.exact ? 0 : m->sure & ~g_le(G_SPREAD(m->aim[3], 2), high);
+
+	g_store(lows, low);
+	g_store(highs, high);
+	for (uint32_t bits = m->sure; bits; bits &= bits - 1) {
+		unsigned i = (unsigned)__builtin_ctz(bits), at = lane[i / 4];
+
+		if (highs[i] < h->lot.tfar[at])
+			herd_cut(a, h, at, highs[i]);
+		if (first >> i & 1 && (m->maybe >> (i & ~3u) & 15) == 1u << i % 4) {
+			h->aim[at][AIM_BEST] = lows[i];
+			memcpy(&h->aim[at][AIM_ID], &n->id[i % 4], sizeof(*n->id));
+			h->best |= (uint64_t)1 << at;
+			__builtin_prefetch(&a->prims->index[3 * (size_t)n->id[i % 4]]);
+			m->maybe &= ~(1u << i);
+		}
+	}
+}
+
 /* A block and the first of GROUP lanes. */
 V void herd_meet(const ald_accel *a, const struct batch *s, struct asked *q, struct herd *h, const struct block *n,
 		 const struct seats *e, const uint32_t *lane, uint32_t count, int any)
 {
 	struct encounter m;
-	float least[4 * GROUP] __attribute__((aligned(64)));
-	gv low, high, near;
+	gv low, high;
 
 	herd_weigh(h, e, lane, &m);
 	m.maybe &= count < GROUP ? (1u << 4 * count) - 1 : UINT32_MAX;
@@ -334,7 +478,7 @@ V void herd_meet(const ald_accel *a, const struct batch *s, struct asked *q, str
 	}
 	m.aim[2] = g_rows(h->aim, AIM_SURE_LO, lane);
 	herd_see(a, s, h, n, lane, &m);
-	herd_bounds(h, n, e, &m, &low, &high);
+	herd_bounds(n, e, &m, &low, &high);
 	if (!m.maybe)
 		return;
 	if (any) {
@@ -350,16 +494,9 @@ V void herd_meet(const ald_accel *a, const struct batch *s, struct asked *q, str
 		if (!m.maybe)
 			return;
 	} else if (m.sure) {
-		uint32_t hit = m.sure | m.sure >> 1;
-
-		near = g_min(high, G_TURN(high, 0xb1));
-		g_store(least, g_min(near, G_TURN(near, 0x4e)));
-		for (hit = (hit | hit >> 2) & 0x11111111; hit; hit &= hit - 1) {
-			unsigned i = (unsigned)__builtin_ctz(hit), at = lane[i / 4];
-
-			if (least[i] < h->lot.tfar[at])
-				herd_cut(a, h, at, least[i]);
-		}
+		herd_nearer(a, h, n, lane, &m, low, high);
+		if (!m.maybe)
+			return;
 	}
 	if (!any && a->frame.exact)
 		g_pack(&h->high[h->pending], high, m.maybe);

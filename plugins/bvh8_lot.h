@@ -16,6 +16,7 @@
 #define DEPTH_LEAST 0x1p-22f
 #define DEPTH_RELATIVE 0x1p-19f
 #define DEPTH_ERROR 0x1p-18f
+#define DEPTH_PAD 0x1p19f /* as often as the pad of rays from far away */
 
 struct lot {
 	/* plane * inverse + near_o is the entrance */
@@ -31,6 +32,10 @@ struct lot {
 	uint32_t index[LOT]; /* of the batch */
 } __attribute__((aligned(64)));
 
+struct lines { /* a lot's rays as the doubles want them: see struct pairs */
+	double o[3][LOT], d[3][LOT], inv[3][LOT], shear[2][LOT], pad[LOT], first[LOT], last[LOT];
+} __attribute__((aligned(64)));
+
 struct batch { /* the rays of a call */
 	const ald_ray *ray;
 	ald_hit *hit; /* NULL: any will do, and hidden is told */
@@ -40,7 +45,7 @@ struct batch { /* the rays of a call */
 
 V float depth_error(float pad)
 {
-	return DEPTH_LEAST + 0x1p15f * pad;
+	return DEPTH_LEAST + DEPTH_PAD * pad;
 }
 
 V dv walk_t(dv t, dv shift, dv tscale)
@@ -70,12 +75,28 @@ V void main_axis(const dv size[3], dm main[3])
 	main[2] = dm_less(all, dm_or(main[0], main[1]));
 }
 
+V void lines_set(struct lines *e, unsigned i, const dv x[8], const dv inv[3], const dv shear[2], dv pad, dv last)
+{
+	UNROLL
+	for (unsigned k = 0; k < 3; k++) {
+		dv_store(e->o[k] + i, x[k]);
+		dv_store(e->d[k] + i, x[3 + k]);
+		dv_store(e->inv[k] + i, inv[k]);
+	}
+	dv_store(e->shear[0] + i, shear[0]);
+	dv_store(e->shear[1] + i, shear[1]);
+	dv_store(e->pad + i, pad);
+	dv_store(e->first + i, x[6]);
+	dv_store(e->last + i, last);
+}
+
 /* Lanes i and on, DW of them. x: origin, direction, tmin, tmax by component; last: nothing behind counts. Where all
  * of them miss the scene's box, as most of a picture's rays may, that is all there is to do. */
-V void lot_doubles(const ald_accel *a, struct lot *l, unsigned i, const dv x[8], dv last)
+V void lot_doubles(const ald_accel *a, struct lot *l, struct lines *e, unsigned i, const dv x[8], dv last)
 {
 	const double *lo = &a->box.lo.x, *hi = &a->box.hi.x, *middle = &a->frame.centre.x;
-	dv t0 = x[6], t1 = last, inv[3], size[3], turned[3], far, pad, up, tscale, huge = dv_all(0x1p400);
+	dv t0 = x[6], t1 = last, inv[3], size[3], turned[3], shear[2], far, pad, up, tscale, side;
+	dv huge = dv_all(0x1p400);
 	dm main[3], fine;
 	uint32_t live;
 
@@ -127,11 +148,14 @@ V void lot_doubles(const ald_accel *a, struct lot *l, unsigned i, const dv x[8],
 		dv_single(l->inverse[k] + i, dv_mul(inv[k], up));
 	}
 	along_main(main, x + 3, turned);
-	turned[2] = dv_size(turned[2]);
-	inv[2] = dv_div(dv_all(1), turned[2]);
-	dv_single(l->shear[0] + i, dv_mul(turned[0], inv[2]));
-	dv_single(l->shear[1] + i, dv_mul(turned[1], inv[2]));
-	dv_single(l->depth + i, dv_div(turned[2], up));
+	shear[0] = dv_div(turned[0], turned[2]);
+	shear[1] = dv_div(turned[1], turned[2]);
+	side = dv_pick(dv_sign(turned[2]), dv_all(-1), dv_all(1));
+	dv_single(l->shear[0] + i, dv_mul(shear[0], side));
+	dv_single(l->shear[1] + i, dv_mul(shear[1], side));
+	dv_single(l->depth + i, dv_div(dv_size(turned[2]), up));
+	if (e)
+		lines_set(e, i, x, inv, shear, pad, last);
 }
 
 V void lot_singles(const ald_accel *a, struct lot *l, unsigned i)
@@ -155,8 +179,20 @@ V void lot_singles(const ald_accel *a, struct lot *l, unsigned i)
 	}
 }
 
-/* Of the n rays of index[]. */
-V void lot_fill(const ald_accel *a, struct lot *l, const struct batch *b, uint32_t n)
+/* Rays from r on are fetched. */
+V void lot_ahead(const struct batch *b, uint32_t r)
+{
+	const char *ray = (const char *)b->ray, *hit = (const char *)b->hit;
+
+	r = r + DW < b->n ? r : b->n - (b->n < DW ? b->n : DW);
+	for (size_t at = 0; at < DW * sizeof(*b->ray); at += 64)
+		__builtin_prefetch(ray + r * sizeof(*b->ray) + at);
+	for (size_t at = 0; hit && at < DW * sizeof(*b->hit); at += 64)
+		__builtin_prefetch(hit + r * sizeof(*b->hit) + at);
+}
+
+/* Of the n rays of index[]; e, if there is one, too. */
+V void lot_fill_lines(const ald_accel *a, struct lot *l, struct lines *e, const struct batch *b, uint32_t n)
 {
 	l->live = l->odd = 0;
 	UNROLL
@@ -167,6 +203,9 @@ V void lot_fill(const ald_accel *a, struct lot *l, const struct batch *b, uint32
 		double t[DW];
 		dv x[8], last;
 
+		if (e)
+			lot_ahead(b, l->index[i] + LOT);
+
 		UNROLL
 		for (unsigned j = 0; j < DW; j++) {
 			uint32_t r = l->index[i + j < n ? i + j : n - 1];
@@ -176,7 +215,7 @@ V void lot_fill(const ald_accel *a, struct lot *l, const struct batch *b, uint32
 		}
 		dv_columns(at, x);
 		last = b->hit ? dv_load(t) : x[7];
-		lot_doubles(a, l, i, x, last);
+		lot_doubles(a, l, e, i, x, last);
 	}
 	for (unsigned i = 0; i < n; i += 8) {
 		if (l->live >> i & 0xff)
@@ -184,6 +223,11 @@ V void lot_fill(const ald_accel *a, struct lot *l, const struct batch *b, uint32
 	}
 	l->live &= n < LOT ? ((uint64_t)1 << n) - 1 : UINT64_MAX;
 	l->odd &= l->live;
+}
+
+V void lot_fill(const ald_accel *a, struct lot *l, const struct batch *b, uint32_t n)
+{
+	lot_fill_lines(a, l, NULL, b, n);
 }
 
 #endif

@@ -114,26 +114,36 @@ static __attribute__((noinline)) void serve_herds(const ald_accel *a, ald_query 
 
 	asked.n = 0;
 	h.steps = h.rays = 0;
+	h.due.some = 0;
+	h.lines = h.both;
 	for (uint32_t from = 0; from < b->n; from += HERD_SORTED) {
 		uint32_t n = b->n - from < HERD_SORTED ? b->n - from : HERD_SORTED, end[WAYS], at = 0, way = 0;
+		int sorted = herd_is_sorted(b->ray + from, n);
 
-		if (are_scattered(a, b->ray + from, n)) {
+		if (!sorted && are_scattered(a, b->ray + from, n)) {
 			serve_alone(a, q, b, NULL, 0, from, from + n, any);
 			continue;
 		}
-		herd_sort(b->ray + from, n, order, end);
+		if (!sorted)
+			herd_sort(b->ray + from, n, order, end);
 		while (at < n && h.rays >= herd_together(a, any) * h.steps) {
-			uint32_t m;
+			uint32_t m = n - at;
 
-			for (; end[way] == at; way++)
+			for (; !sorted && end[way] == at; way++)
 				;
-			m = end[way] - at < LOT ? end[way] - at : LOT;
-			herd_serve(a, b, &asked, q, &h, order + at, from, m, way, any);
+			m = sorted ? n - at : end[way] - at;
+			m = m < LOT ? m : LOT;
+			for (uint32_t i = 0; i < m; i++)
+				h.lot.index[i] = from + (sorted ? at + i : order[at + i]);
+			herd_serve(a, b, &asked, q, &h, m, any);
 			at += m;
 		}
 		if (at < n)
-			serve_alone(a, q, b, order, from, at, n, any);
+			serve_alone(a, q, b, sorted ? NULL : order, from, sorted ? from + at : at,
+				    sorted ? from + n : n, any);
 	}
+	if (h.due.some)
+		due_ask(a, b, &h.due);
 	ask(a, b, &asked);
 }
 #endif

@@ -391,7 +391,8 @@ V void herd_serve(const ald_accel *a, const struct batch *b, struct asked *asked
 	struct lot *l = &h->lot;
 	uint64_t left;
 
-	h->lines = h->lines == h->both ? h->both + 1 : h->both;
+	if (h->due.some && h->due.lines == h->lines)
+		h->lines = h->lines == h->both ? h->both + 1 : h->both;
 	lot_fill_lines(a, l, h->lines, b, n);
 	lot_odd(a, q, b, l, any);
 	h->size = n;

@@ -22,7 +22,8 @@ struct herd {
 	float aim[LOT][16]; /* of each ray, once one has come to a leaf: see herd_aims() */
 	f8 edge_near[3], edge_far[3], slow[3], fast[3]; /* the hull: origins, inverse directions */
 	uint64_t best; /* lanes of which a triangle is known that is surely hit, AIM_ID, at no less than AIM_BEST */
-	uint64_t live, live_first, found, asked; /* lanes; live_first: before the walk; asked: the doubles were, before the end */
+	/* Lanes; live_first: before the walk; asked: the doubles were, before the end. */
+	uint64_t live, live_first, found, asked;
 	float reach; /* tfar of the farthest */
 	float side, grow;
 	uint32_t near[3], far[3]; /* which planes of a node */

@@ -93,7 +93,7 @@ V void ride_rows(struct ride *c, unsigned i)
 	for (unsigned j = 0; j < 8; j++)
 		memcpy(&skip[j], &c->source.batch.ray[l->index[i + j]].skip, sizeof(*skip));
 	pad = f8_load(l->pad + i);
-	grow = f8_mul_add(pad, f8_all(4 / EDGE_ERROR), f8_all(1));
+	grow = f8_mul_add(pad, f8_all(20 / EDGE_ERROR), f8_all(1)); /* far_of() */
 	f8_rows(c->aim + i, AT_O, along(&m, 1, o[0], o[1], o[2]), along(&m, 2, o[0], o[1], o[2]),
 		f8_mul(along(&m, 0, o[0], o[1], o[2]), side), side);
 	t0 = f8_mul(f8_load(l->first + i), depth);
@@ -101,7 +101,7 @@ V void ride_rows(struct ride *c, unsigned i)
 	e0 = f8_mul(f8_size(t0), tiny);
 	e1 = f8_mul(f8_size(t1), tiny);
 	f8_rows(c->aim + i, AT_SHEAR, f8_load(l->shear[0] + i), f8_load(l->shear[1] + i),
-		f8_mul_add(pad, f8_all(0x1p15f), tiny), f8_sub(t0, e0));
+		f8_mul_add(pad, f8_all(DEPTH_PAD), tiny), f8_sub(t0, e0));
 	f8_rows(c->aim + i, AT_SURE, f8_add(t0, e0), f8_sub(t1, e1), pad,
 		f8_mul(along(&m, 0, v[0], v[1], v[2]), side));
 	f8_rows(c->aim + i, AT_SKIP, f8_load(skip), depth, f8_mul(grow, grow), depth);
@@ -225,7 +225,7 @@ V void g_put_firsts(float *p, gv x)
 
 struct clash { /* of rays with a block each; as struct seats and struct encounter */
 	gv aim[4], x[3], y[3], z[3], own, slack, ids; /* own: a block's own slack */
-	gv qx, qy, ax, ay, az, bx, by, bz, cx, cy, cz, a, b, c, zmin, zmax, sum, low, high;
+	gv qx, qy, ax, ay, az, bx, by, bz, cx, cy, cz, a, b, c, zmin, zmax, zsize, sum, low, high;
 	gv tfar;
 	uint32_t maybe, sure;
 };
@@ -259,7 +259,6 @@ V void clash_load(const ald_accel *a, const struct ride *c, const struct turn *w
 	}
 	m->own = g_places(block, offsetof(struct block, slack));
 	m->ids = g_places(block, offsetof(struct block, id));
-	m->slack = g_mul(m->own, G_SPREAD(m->aim[3], 2));
 	m->tfar = g_each((const uint32_t *)(const void *)(w->tfar + i));
 }
 
@@ -285,6 +284,10 @@ V void clash_weigh(struct clash *m)
 	m->b = g_mul_sub(m->ax, m->cy, g_mul(m->ay, m->cx));
 	m->c = g_mul_sub(m->bx, m->ay, g_mul(m->by, m->ax));
 	m->sum = g_add(g_add(m->a, m->b), m->c);
+	m->zsize = g_max(g_size(m->az), g_max(g_size(m->bz), g_size(m->cz)));
+	m->slack = g_mul_add(g_size(m->own), g_all(SLACK_SQUARE), g_all(SLACK_LEAST));
+	m->slack = g_mul_add(m->zsize, g_all(SLACK_SLOPE), m->slack); /* block_slack() */
+	m->slack = g_mul(m->slack, g_mul(m->own, G_SPREAD(m->aim[3], 2)));
 	m->zmin = g_min(m->az, g_min(m->bz, m->cz));
 	m->zmax = g_max(m->az, g_max(m->bz, m->cz));
 	least = g_min(m->a, g_min(m->b, m->c));
@@ -303,8 +306,7 @@ V void clash_bounds(struct clash *m)
 	gv one = g_div(g_all(1), m->sum), z, error, off, zmin, zmax;
 
 	z = g_mul(g_mul_add(m->a, m->az, g_mul_add(m->b, m->bz, g_mul(m->c, m->cz))), one);
-	error = g_max(g_size(m->zmin), g_size(m->zmax));
-	error = g_mul_add(error, g_all(DEPTH_RELATIVE), G_SPREAD(m->aim[1], 2));
+	error = g_mul_add(m->zsize, g_all(DEPTH_RELATIVE), G_SPREAD(m->aim[1], 2));
 	off = g_mul(g_mul(m->slack, g_all(6)), g_sub(m->zmax, m->zmin));
 	off = g_mul_add(off, g_size(one), error);
 	zmin = g_sub(m->zmin, error);

@@ -17,7 +17,8 @@
  * same of z, the slope's 2^-23, the product's and the sum's 2^-23: a sheared coordinate is off by h <=
  * 5 * 2^-23. Where the line meets the triangle, no sheared coordinate is more than twice its extent x. Then a
  * weight, c d - e f, is off by at most 8 x h + 2 h h + 3 * 2^-24 * 8 x x < 2^-20 (12 x + 4 * 2^-20). Nothing
- * is lost by using this where the line misses.
+ * is lost by using this where the line misses. That is a block's slack, for corners at any distance; most are
+ * nearer, and block_slack() tells less for them.
  *
  * With --precision=fast all bounds are 0 and nothing is asked of the doubles: what being right costs is the
  * difference.

@@ -226,7 +226,9 @@ V void herd_fetch(const ald_accel *a, const struct herd *h, uint32_t top)
 /* Rays that open a node together, on average, or herds do not pay. */
 V uint32_t herd_together(const ald_accel *a, int any)
 {
-	return !a->far ? 3 - (uint32_t)any : !any ? 8 : a->far > 1 ? 4 : 6;
+	if (!a->far)
+		return any ? 2 : 3;
+	return a->far > 1 ? (any ? 8 : 16) : (any ? 6 : 12);
 }
 
 /* How many steps what comes off the stack waits for what it is to be fetched. A hit that would have spared some rays
@@ -322,7 +324,7 @@ V uint32_t way_of(const ald_ray *r)
 	return (2 - 2 * first - second) * 8 + (uint32_t)(d[0] >> 63 | d[1] >> 63 << 1 | d[2] >> 63 << 2);
 }
 
-/* Do most rays go the way of those beside them? Then they need no order. */
+/* Do rays go few ways? Then those beside each other mostly go the same one, and they need no order. */
 V int herd_is_sorted(const ald_ray *ray, uint32_t n)
 {
 	uint32_t ways = 0, step = n / 16 + 1;
@@ -336,22 +338,14 @@ V int herd_is_sorted(const ald_ray *ray, uint32_t n)
 V void herd_sort(const ald_ray *ray, uint32_t n, uint16_t *order, uint32_t end[WAYS])
 {
 	uint8_t way[HERD_SORTED];
-	uint32_t mixed = 0, sum = 0, one = way_of(&ray[0]);
+	uint32_t sum = 0;
 
 	for (uint32_t i = 0; i < n; i++) {
 		__builtin_prefetch((const char *)(ray + i) + HERD_FETCH);
 		__builtin_prefetch((const char *)(ray + i) + HERD_FETCH + 64);
 		way[i] = (uint8_t)way_of(&ray[i]);
-		mixed |= (uint32_t)way[i] ^ one;
 	}
 	memset(end, 0, WAYS * sizeof(*end));
-	if (!mixed) { /* mostly, where rays are coherent */
-		for (uint32_t i = 0; i < n; i++)
-			order[i] = (uint16_t)i;
-		for (unsigned k = one; k < WAYS; k++)
-			end[k] = n;
-		return;
-	}
 	for (uint32_t i = 0; i < n; i++)
 		end[way[i]]++;
 	for (unsigned k = 0; k < WAYS; k++) {

@@ -46,6 +46,8 @@ V int source_fill(const ald_accel *a, struct source *s, int any)
 		return 0;
 	for (uint32_t i = 0; i < n; i++)
 		s->lot.index[i] = s->order ? s->first + s->order[s->next + i] : s->next + i;
+	for (uint32_t i = n; i % 8; i++)
+		s->lot.index[i] = s->lot.index[n - 1]; /* eight rays are made ready together */
 	s->next += n;
 	lot_fill(a, &s->lot, &s->batch, n);
 	lot_odd(a, s->q, &s->batch, &s->lot, any);

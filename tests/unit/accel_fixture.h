@@ -72,15 +72,32 @@ static void fresh(ald_hit *hit, const ald_ray *ray, uint32_t n)
 		hit[i] = (ald_hit){ .t = ray[i].tmax, .prim = ALD_NONE, .part = ALD_NONE };
 }
 
-static void ask(struct accel *a, const ald_ray *ray, uint32_t n, bool one_by_one, uint32_t hints)
+/* What calls find on the stack is what others left: let it be nothing that will do by chance. */
+static __attribute__((noinline)) void spoil_stack(void)
+{
+	unsigned char x[1 << 17];
+
+	memset(x, 0xa5, sizeof(x));
+	__asm__ volatile("" : : "r"(x) : "memory");
+}
+
+enum { ASK_ALL, ASK_PIECES, ASK_EACH }; /* pieces: of all sizes, a few rays at first */
+
+static void ask(struct accel *a, const ald_ray *ray, uint32_t n, int how, uint32_t hints)
 {
 	const ald_accel_plugin *p = a->choice.plugin;
 	ald_hit again;
 
 	fresh(a->hit, ray, n);
-	if (!one_by_one && p->intersect_n && p->occluded_n) {
-		p->intersect_n(a->it, &a->q, ray, a->hit, n, hints);
-		p->occluded_n(a->it, &a->q, ray, a->hidden, n, hints);
+	if (how != ASK_EACH && p->intersect_n && p->occluded_n) {
+		for (uint32_t at = 0, size = how == ASK_ALL ? n : 1; at < n; at += size++) {
+			uint32_t some = n - at < size ? n - at : size;
+
+			spoil_stack();
+			p->intersect_n(a->it, &a->q, ray + at, a->hit + at, some, hints);
+			spoil_stack();
+			p->occluded_n(a->it, &a->q, ray + at, a->hidden + at, some, hints);
+		}
 		return;
 	}
 	for (uint32_t i = 0; i < n; i++) {

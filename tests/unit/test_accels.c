@@ -91,16 +91,18 @@ static void same_hits(const char *mesh, struct mesh *m, uint32_t rays, uint32_t 
 		if (hints)
 			bundle(ray, BATCH);
 		do {
-			bool one_by_one = first % (8 * BATCH) == 0 && step < 2;
+			int how = first % (8 * BATCH) == 0 && step < 2 ? ASK_EACH :
+				  first / BATCH % 2		       ? ASK_PIECES :
+									 ASK_ALL;
 
 			/* Counting is other code: it has to give the same. */
 			for (unsigned k = 0; k < SPECS; k++)
 				other[k].q.count = first / BATCH % 4 == 1 ? other[k].count : NULL;
-			ask(none, ray, BATCH, one_by_one, hints);
+			ask(none, ray, BATCH, how, hints);
 			for (unsigned k = 0; k < SPECS; k++) {
 				if (!there[k])
 					continue;
-				ask(&other[k], ray, BATCH, one_by_one, hints);
+				ask(&other[k], ray, BATCH, how, hints);
 				compare(mesh, spec[k], none, &other[k], ray, BATCH);
 			}
 			for (uint32_t i = 0; i < BATCH; i++) {

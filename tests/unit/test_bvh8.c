@@ -79,8 +79,8 @@ static void same_fast(const char *mesh, struct mesh *m)
 	accel_open(fast, "bvh8:build=fast", &h, m);
 	for (uint32_t i = 0; i < BATCH; i++)
 		ray_make(m, 1, i, &ray[i]);
-	ask(none, ray, BATCH, false, 0);
-	ask(fast, ray, BATCH, false, 0);
+	ask(none, ray, BATCH, ASK_PIECES, 0);
+	ask(fast, ray, BATCH, ASK_PIECES, 0);
 	compare(mesh, "build=fast", none, fast, ray, BATCH);
 	accel_close(none);
 	accel_close(fast);

@@ -166,10 +166,26 @@ static void note_kids(const struct widener *w, const struct part *p, struct seat
 	s->twig = o->inner | NOTED;
 }
 
+/* Neither of its children. */
+static void open_only(const struct widener *w, uint32_t root, struct opened *o)
+{
+	for (unsigned k = 0; k < WIDTH; k++) {
+		o->kid[k] = k < 2 ? w->b->twig[root].kid + k : EMPTY;
+		o->size[k] = k < 2 ? area(&w->b->twig[o->kid[k]]) : -1;
+	}
+	o->n = 2;
+	o->inner = EMPTY;
+	sort_kids(o);
+}
+
 static void open_again(const struct widener *w, const struct part *p, const struct seat *s, struct opened *o)
 {
-	if (!(s->twig & NOTED) || p == w->b->part) {
+	if (p == w->b->part) {
 		open_twig(w, p, s->twig, o);
+		return;
+	}
+	if (!(s->twig & NOTED)) { /* no child was opened that it could have been noted in */
+		open_only(w, s->twig, o);
 		return;
 	}
 	memcpy(o->kid, &w->b->twig[s->twig & ~NOTED], sizeof(o->kid));

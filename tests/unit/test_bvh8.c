@@ -67,7 +67,7 @@ static void test_threads(void **state)
 	free(a);
 }
 
-static void same_fast(const char *mesh, struct mesh *m)
+static void same_hits(const char *mesh, const char *spec, struct mesh *m)
 {
 	struct accel *none = malloc(sizeof(*none)), *fast = malloc(sizeof(*fast));
 	ald_ray *ray = malloc(BATCH * sizeof(*ray));
@@ -76,12 +76,12 @@ static void same_fast(const char *mesh, struct mesh *m)
 	mesh_finish(m, false, false, false);
 	test_host_init(&h, 2, 0);
 	accel_open(none, "none", &h, m);
-	accel_open(fast, "bvh8:build=fast", &h, m);
+	accel_open(fast, spec, &h, m);
 	for (uint32_t i = 0; i < BATCH; i++)
 		ray_make(m, 1, i, &ray[i]);
 	ask(none, ray, BATCH, ASK_PIECES, 0);
 	ask(fast, ray, BATCH, ASK_PIECES, 0);
-	compare(mesh, "build=fast", none, fast, ray, BATCH);
+	compare(mesh, spec, none, fast, ray, BATCH);
 	accel_close(none);
 	accel_close(fast);
 	assert_int_equal(h.book.now, 0);
@@ -91,6 +91,29 @@ static void same_fast(const char *mesh, struct mesh *m)
 	free(none);
 	free(fast);
 	free(ray);
+}
+
+/* Trees of all sizes: what one pass over them has decided the next one has to find again. */
+static void test_sizes(void **state)
+{
+	static const char *const spec[] = { "bvh8:build=sah", "bvh8:build=sah,leaf=1", "bvh8:build=sah,split=2",
+					    "bvh8:build=fast" };
+	struct mesh m = { 0 };
+	char name[40];
+
+	(void)state;
+	for (uint32_t i = 1; i <= 120 / FEWER; i++) {
+		uint32_t n = i * i / 6 + 3;
+
+		snprintf(name, sizeof(name), "%u", i);
+		if (i % 3 == 0)
+			mesh_sheets(&m, 2 + i / 3, 1 + i % 5, i % 2 ? 0x1p-22 : 0.01);
+		else if (i % 3 == 1)
+			mesh_soup(&m, n, 1, i % 2 ? 0.05 : 2, i);
+		else
+			mesh_field(&m, 2 + i / 3, 10, i % 2 ? 1 : 0.01, i);
+		same_hits(name, spec[i / 3 % 4], &m);
+	}
 }
 
 /* Far more in one place than a job takes, and nothing to sort by; sizes from 1 to 1e13, each next to a
@@ -107,22 +130,22 @@ static void test_fast_extremes(void **state)
 	b = mesh_vertex(&m, 0, 0.5, 0.25);
 	for (unsigned i = 0; i < 5000; i++)
 		mesh_triangle(&m, a, b, mesh_vertex(&m, 0, 0, 1e-3 * (i / 1000)));
-	same_fast("one place", &m);
+	same_hits("one place", "bvh8:build=fast", &m);
 
 	mesh_group(&m);
 	for (unsigned i = 0; i < 3000; i++, size *= 1.01)
 		mesh_triangle(&m, mesh_vertex(&m, size, 0, 0), mesh_vertex(&m, size * 1.01, size, 0),
 			      mesh_vertex(&m, size, 0, size));
-	same_fast("growing", &m);
+	same_hits("growing", "bvh8:build=fast", &m);
 
 	mesh_torus(&m, (ald_vec){ 1, 2, 3 }, 1e-3, 2e-4, 80, 60);
 	mesh_soup(&m, 500, 100, 40, 5);
-	same_fast("small in large", &m);
+	same_hits("small in large", "bvh8:build=fast", &m);
 
 	mesh_torus(&m, (ald_vec){ 0, 0, 0 }, 1e150, 2e149, 40, 30);
 	mesh_triangle(&m, 0, 1, mesh_vertex(&m, (double)NAN, 0, 0));
 	mesh_triangle(&m, 0, 1, 0);
-	same_fast("huge", &m);
+	same_hits("huge", "bvh8:build=fast", &m);
 }
 
 /* Which builder it is that takes so many rays to a triangle. */
@@ -181,6 +204,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_threads),
+		cmocka_unit_test(test_sizes),
 		cmocka_unit_test(test_fast_extremes),
 		cmocka_unit_test(test_choice),
 	};

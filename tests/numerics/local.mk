@@ -1,5 +1,5 @@
 NUMERICS_TESTS = tests/numerics/bits.sh tests/numerics/kernel-bits.sh tests/numerics/judge.sh \
-	tests/numerics/judge-exact.sh tests/numerics/judge-fast.sh tests/numerics/judge-fast-bvh8.sh \
+	tests/numerics/judge-exact.sh tests/numerics/judge-seeds.sh tests/numerics/judge-fast.sh tests/numerics/judge-fast-bvh8.sh \
 	tests/numerics/pictures.sh tests/numerics/shapes.sh
 TESTS += $(NUMERICS_TESTS)
 EXTRA_DIST += $(NUMERICS_TESTS) tests/numerics/pictures.py tests/numerics/kernel_bits.c \

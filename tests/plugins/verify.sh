@@ -19,14 +19,17 @@ sphere { <-0.4, 0.6, 0.6>, 0.35 pigment { rgbt <0.5, 0.9, 0.8, 0.2> } finish { d
 box { <-2, -1.2, -2>, <2, -1, 2> pigment { rgb 0.7 } finish { diffuse 0.7 } }
 sphere { <0.9, 0.9, -0.3>, 0.2 pigment { rgb 0.7 } finish { diffuse 0.7 reflection 0.3 } }
 END
+# Where nothing is clear a shadow ray asks if anything is there; else it walks from surface to surface.
+sed 's/rgbt <\([^,]*, [^,]*, [^,]*\), [^>]*>/rgb <\1>/' scene.pov >opaque.pov
 
 # shellcheck disable=SC2086 # $CC may be a command with arguments
 ok "an accelerator that lies is built" $CC -shared -fPIC -O1 -ffp-contract=off -I"$ALIDADE_SRC/include" \
 	-o liar.so "$ALIDADE_SRC/tests/plugins/liar.c"
 
+scene=scene.pov
 draw()
 {
-	"$ALIDADE" -q -s 80x60 "$@" scene.pov
+	"$ALIDADE" -q -s 80x60 "$@" $scene
 }
 
 # status NAME EXPECTED ARGUMENTS ...
@@ -52,13 +55,20 @@ embree= # it is optional
 for accel in none box sphere octree bvh8 $embree ./liar.so; do
 	status "$accel" 0 -a $accel --verify 1 -o honest.ppm --stats=honest.json
 	ok "all its rays were asked again" test "$(of honest.json 'v["checked"]')" -ge 6000
-	is "each question" "$(of honest.json 'min(v[q]["checked"] for q in ("nearest", "occluded", "next")) > 100')" True
+	is "from surface to surface" "$(of honest.json 'min(v[q]["checked"] for q in ("nearest", "next")) > 100')" True
 	is "all answers were right" "$(of honest.json 'v["different"]')" 0
 	ok "the picture is the same" cmp plain.ppm honest.ppm
 	is "nothing is said" "$(cat err)" ""
+	scene=opaque.pov
+	status "$accel, nothing clear" 0 -a $accel --verify 1 -o opaque.ppm --stats=opaque.json
+	is "its answers were right" "$(of opaque.json 'v["different"] == 0 and v["occluded"]["checked"] > 100')" True
+	scene=scene.pov
 done
+cast='sum(j["rays"][k]["cast"] for k in ("camera", "reflected", "refracted"))'
 is "rays checked are rays cast" "$(python3 -c 'import json; j = json.load(open("honest.json"))
-print(j["verify"]["nearest"]["checked"] >= sum(j["rays"][k]["cast"] for k in ("camera", "reflected", "refracted")) and
+print(j["verify"]["nearest"]["checked"] >= j["rays"]["shadow"]["cast"] + '"$cast"')')" True
+is "and where nothing is clear" "$(python3 -c 'import json; j = json.load(open("opaque.json"))
+print(j["verify"]["nearest"]["checked"] == '"$cast"' and
 	j["verify"]["occluded"]["checked"] == j["rays"]["shadow"]["cast"])')" True
 
 # The pixels in which a forgotten primitive shows: camera rays alone.
@@ -90,13 +100,16 @@ ok "with the pixel, the ray and the primitive" \
 for question in nearest occluded next; do
 	about=3
 	[ $question != next ] || about=0
+	[ $question != occluded ] || scene=opaque.pov
+	draw -o truth.ppm
 	status "a lie: $question" 7 -a ./liar.so:lie=$question,about=$about --verify 1 -o lie.ppm --stats=lie.json
 	is "is one about that" "$(of lie.json '[q for q in ("nearest", "occluded", "next") if v[q]["different"]]')" \
 		"['$question']"
-	ok "and another picture" sh -c '! cmp -s plain.ppm lie.ppm'
+	ok "and another picture" sh -c '! cmp -s truth.ppm lie.ppm'
+	scene=scene.pov
 done
-ok "the lines name shadow rays" sh -c 'draw() { "$ALIDADE" -q -s 80x60 "$@" scene.pov; }
-	draw -a ./liar.so:lie=occluded,about=3 --verify 1 -o lie.ppm 2>&1 | grep -q "shadow ray, whether anything is hit: liar found nothing, the judge primitive 3 "'
+ok "the lines name shadow rays" sh -c '"$ALIDADE" -q -s 80x60 opaque.pov \
+	-a ./liar.so:lie=occluded,about=3 --verify 1 -o lie.ppm 2>&1 | grep -q "shadow ray, whether anything is hit: liar found nothing, the judge primitive 3 "'
 
 # One in seven: the same ones for every number of threads and side of tiles.
 status "a lie to one ray in seven, 1 thread" 7 -t 1 -a ./liar.so:lie=nearest,about=0 --verify 7 -o one.ppm --stats=one.json

@@ -177,7 +177,7 @@ struct due { /* of a lot, pairs that are to be decided once what they need has b
 	const struct lines *lines;
 	uint64_t some; /* lanes */
 	uint32_t axis[3]; /* kx, ky, kz of all */
-	uint32_t id[LOT], ray[LOT], corner[3][LOT];
+	uint32_t id[LOT] __attribute__((aligned(64))), ray[LOT], corner[3][LOT];
 } __attribute__((aligned(64)));
 
 #if ISA_LEVEL >= 3

@@ -10,20 +10,12 @@
 #include "accel/geometry.h"
 
 #include <string.h>
-#include <time.h>
 
 #include "accel/load.h"
 #include "accel/verify.h"
+#include "base/clock.h"
 #include "base/interrupt.h"
 #include "base/process.h"
-
-static double now(void)
-{
-	struct timespec t;
-
-	clock_gettime(CLOCK_MONOTONIC, &t);
-	return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static void show_level(struct view *v, const struct geometry *g, const struct prim_level *l)
 {
@@ -65,7 +57,7 @@ static enum status refuse(const struct geometry *g, int result, const ald_error 
 static enum status build_levels(struct geometry *g, const double *value, struct diag *diag)
 {
 	static const double none[1] = { 0 };
-	double start = now();
+	double start = clock_seconds();
 
 	for (uint32_t i = 0; i < g->set.level_count; i++) {
 		struct view *v = &g->view[i];
@@ -85,7 +77,7 @@ static enum status build_levels(struct geometry *g, const double *value, struct 
 		if (ACCEL_HAS(g->plugin, scratch_size))
 			v->scratch = g->plugin->scratch_size(v->accel);
 	}
-	g->seconds = now() - start;
+	g->seconds = clock_seconds() - start;
 	g->memory.most = atomic_load(&g->book->recent);
 	return STATUS_OK;
 }

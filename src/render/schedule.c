@@ -9,8 +9,8 @@
 #include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
+#include "base/clock.h"
 #include "film/tone.h"
 #include "render/aa.h"
 #include "render/budget.h"
@@ -264,14 +264,6 @@ static void sum_counts(const struct job *j, uint32_t threads)
 	j->counts->nonfinite_y = j->bad.y;
 }
 
-static double seconds(void)
-{
-	struct timespec t;
-
-	clock_gettime(CLOCK_MONOTONIC, &t);
-	return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 /* How many samples share a pixel's rays: where they are many, each gathers the less. Method 2's are shared by
  * four pixels, and each pixel has four. A lens casts more of its own. */
 static uint32_t pixel_share(const struct scene *s, const struct render_options *o)
@@ -458,7 +450,7 @@ enum status render_scene(const struct scene *scene, const struct geometry *geome
 {
 	struct job j = { .whole = *options, .image = out, .counts = counts };
 	uint32_t threads = pool_threads(pool);
-	double start = seconds();
+	double start = clock_seconds();
 	enum status st = check(options, d);
 
 	memset(out, 0, sizeof(*out));
@@ -487,7 +479,7 @@ enum status render_scene(const struct scene *scene, const struct geometry *geome
 	} else {
 		render_tiles(&j, pool, book);
 		sum_counts(&j, threads);
-		counts->seconds = seconds() - start;
+		counts->seconds = clock_seconds() - start;
 		counts->error = mean_error(out);
 		if (atomic_load(&j.no_memory))
 			st = diag_no_memory(d, "rendering", 0);

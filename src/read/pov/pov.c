@@ -9,17 +9,9 @@
 
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
+#include "base/clock.h"
 #include "read/limits.h"
-
-static double now_seconds(void)
-{
-	struct timespec t;
-
-	clock_gettime(CLOCK_MONOTONIC, &t);
-	return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static void fail(struct pov *p, enum status st)
 {
@@ -149,7 +141,7 @@ static bool check_clock(struct pov *p)
 		fail(p, STATUS_SIGINT);
 		return false;
 	}
-	if (p->limit.seconds > 0 && now_seconds() - p->started > p->limit.seconds) {
+	if (p->limit.seconds > 0 && clock_seconds() - p->started > p->limit.seconds) {
 		pov_limit(p, &pos, "seconds", p->limit.seconds, "reading the scene takes too long");
 		return false;
 	}
@@ -324,7 +316,7 @@ enum status pov_read(const char *path, const char *bytes, size_t size,
 		.limit = read_limits_fill(&options->limits), .version = 370,
 		.conds = { .size = sizeof(struct cond) }, .scopes = { .size = sizeof(struct scope) },
 		.streams = { .size = sizeof(uint32_t) }, .warned = { .size = sizeof(struct warned) },
-		.debug = { .size = 1 }, .started = now_seconds()
+		.debug = { .size = 1 }, .started = clock_seconds()
 	};
 
 	arena_init(&p.arena, scene->book, "reading");

@@ -5,37 +5,28 @@
  */
 #include "accel/facet.h"
 
-#include <string.h>
-
 #include "accel/geometry.h"
 
 bool facet_find(const struct geometry *g, uint32_t id, struct facet_kind *k)
 {
 	const struct prim_level *l = &g->set.level[0];
 	const struct scene *s = g->set.scene;
-	uint32_t lo = 0, hi = l->group_count;
 	const struct prim_leaf *f;
+	uint32_t group;
 
 	if (id - k->from < k->end - k->from)
 		return k->even;
 	if (id >= l->tri_count)
 		return false;
-	while (hi - lo > 1) {
-		uint32_t mid = lo + (hi - lo) / 2;
-
-		if (l->group_first[mid] <= id)
-			lo = mid;
-		else
-			hi = mid;
-	}
-	f = &g->set.leaf[l->group[lo].leaf];
-	k->from = l->group_first[lo];
-	k->end = l->group_first[lo + 1];
+	group = level_group(l, id);
+	f = &g->set.leaf[l->group[group].leaf];
+	k->from = l->group_first[group];
+	k->end = l->group_first[group + 1];
 	k->flags = f->flags;
 	k->light_set = s->object[f->object].light_set;
 	k->leaf = f;
 	k->mesh = &s->mesh[f->mesh];
-	k->face = l->group[lo].face;
+	k->face = l->group[group].face;
 	k->even = !k->mesh->grid && f->interior_texture == SCENE_NONE;
 	return k->even;
 }
@@ -104,22 +95,6 @@ bool facet_take(const struct geometry *g, const struct facet_kind *k, const ald_
 LANED vec corner_at(const struct facet_hits *h, unsigned corner, unsigned i)
 {
 	return vec_make(h->corner[corner][0][i], h->corner[corner][1][i], h->corner[corner][2][i]);
-}
-
-LANED double size_of(vec p)
-{
-	return fabs(p.x) + fabs(p.y) + fabs(p.z);
-}
-
-/* Of a normal number: about 1 / x, with no rounding in products. */
-LANED double near_inverse(double x)
-{
-	uint64_t bits;
-
-	memcpy(&bits, &x, sizeof(bits));
-	bits = ((uint64_t)2046 << 52) - (bits & (uint64_t)0x7ff << 52);
-	memcpy(&x, &bits, sizeof(x));
-	return x;
 }
 
 /* No number where vec_unit() leaves a 0 what it is, without a branch. */

@@ -6,8 +6,12 @@
 #ifndef ALIDADE_ACCEL_GEOMETRY_H
 #define ALIDADE_ACCEL_GEOMETRY_H
 
+#include <string.h>
+
 #include "accel/host.h"
 #include "accel/trace.h"
+#include "alidade/kernel.h"
+#include "base/wide.h"
 #include "prim/compile.h"
 
 #define TRACE_BATCH 1024u /* rays that go to a plugin in one call, at most */
@@ -92,8 +96,29 @@ bool forecast_need(const struct geometry *, const ald_accel_plugin *, const doub
 /* Predict, and refuse what does not fit. Views are there, but not built. */
 enum status forecast_check(struct geometry *, const struct accel_choice *, struct diag *);
 
+static inline uint32_t level_group(const struct prim_level *l, uint32_t id)
+{
+	return ald_group_of(&(ald_prims){ .group_count = l->group_count, .group_first = l->group_first }, id);
+}
+
 /* Which leaf a level's primitive belongs to, and which face of its mesh it is. */
 uint32_t view_leaf(const struct prim_level *, uint32_t id, uint32_t *face);
+
+LANED double size_of(vec p)
+{
+	return fabs(p.x) + fabs(p.y) + fabs(p.z);
+}
+
+/* Of a normal number: about 1 / x, with no rounding in products. */
+LANED double near_inverse(double x)
+{
+	uint64_t bits;
+
+	memcpy(&bits, &x, sizeof(bits));
+	bits = ((uint64_t)2046 << 52) - (bits & (uint64_t)0x7ff << 52);
+	memcpy(&x, &bits, sizeof(x));
+	return x;
+}
 
 /* The same primitives, asked by brute force at every level, in this precision. */
 enum status geometry_judge(struct geometry **out, const struct geometry *, uint32_t precision, struct pool *,

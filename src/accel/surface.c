@@ -16,24 +16,10 @@ struct place { /* in level coordinates */
 
 uint32_t view_leaf(const struct prim_level *l, uint32_t id, uint32_t *face)
 {
-	uint32_t lo = 0, hi = l->group_count, n;
+	uint32_t group = level_group(l, id), n = id - l->group_first[group];
 
-	while (hi - lo > 1) {
-		uint32_t mid = lo + (hi - lo) / 2;
-
-		if (l->group_first[mid] <= id)
-			lo = mid;
-		else
-			hi = mid;
-	}
-	n = id - l->group_first[lo];
-	*face = l->group[lo].face ? l->group[lo].face[n] : n;
-	return l->group[lo].leaf;
-}
-
-static double size_of(vec p)
-{
-	return fabs(p.x) + fabs(p.y) + fabs(p.z);
+	*face = l->group[group].face ? l->group[group].face[n] : n;
+	return l->group[group].leaf;
 }
 
 /* Of a triangle whose area is too small for a cross product of doubles: any across its longest edge. */
@@ -54,17 +40,6 @@ static vec sliver_normal(const vec c[3])
 	return vec_cross(longest, fabs(longest.x) < 0.5 ? vec_make(1, 0, 0) :
 				  fabs(longest.y) < 0.5 ? vec_make(0, 1, 0) :
 							  vec_make(0, 0, 1));
-}
-
-/* Of a normal number: about 1 / x, with no rounding in products. */
-static double near_inverse(double x)
-{
-	uint64_t bits;
-
-	memcpy(&bits, &x, sizeof(bits));
-	bits = ((uint64_t)2046 << 52) - (bits & (uint64_t)0x7ff << 52);
-	memcpy(&x, &bits, sizeof(x));
-	return x;
 }
 
 /* By its corners' weights, which keeps the point in the plane whatever the error of t. */

@@ -1,7 +1,10 @@
 /* SPDX-FileCopyrightText: 2026 The Alidade authors
  * SPDX-License-Identifier: Apache-2.0
  */
-#define _DEFAULT_SOURCE /* madvise() */
+#ifdef HAVE_CONFIG_H
+#include <config.h>
+#endif
+
 #include "base/mem.h"
 
 #include <stdint.h>

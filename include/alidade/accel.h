@@ -75,7 +75,8 @@ struct ald_prims { /* what to accelerate; owned by the host, outlives the ald_ac
 	double pad; /* bounds() has grown its boxes by this (R4); volumes not made from them must too */
 	void (*bounds)(const ald_prims *, uint32_t id, ald_box *out); /* [any] */
 	/* If id is hit, counts, and wins by ald_wins(), store it in *hit and return 1; else touch
-	 * nothing. [render] */
+	 * nothing. While the host waits for occluded() or occluded_n(), any hit will do, and of one inside an
+	 * instance only prim is stored. [render] */
 	int (*intersect)(const ald_prims *, uint32_t id, ald_query *, const ald_ray *, ald_hit *);
 	/* The same for the rays i of a batch with live[i] set; instances go down with the batch.
 	 * [render] */

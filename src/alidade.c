@@ -138,6 +138,7 @@ static enum status run_read(struct run *run)
 	scene_release(run->scene);
 	scene_init(run->scene, &run->book);
 	s->read.stop = asked_to_stop;
+	s->read.pool = run->pool;
 	if (run->plan.animated) {
 		s->read.pictures = &run->pictures;
 		read_pictures_begin(&run->pictures);

@@ -46,6 +46,7 @@ src_libalidade_la_SOURCES += \
 	src/read/pov/rainbow.c \
 	src/read/pov/scan.c src/read/pov/scan.h \
 	src/read/pov/settings.c \
+	src/read/pov/share.c src/read/pov/share.h \
 	src/read/pov/source.c \
 	src/read/pov/spline.c \
 	src/read/pov/string.c \

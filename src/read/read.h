@@ -58,6 +58,7 @@ struct read_job {
 	struct frame_settings frames;
 };
 
+struct pool;
 struct read_pictures; /* pictures.h */
 
 struct read_options {
@@ -74,6 +75,7 @@ struct read_options {
 	struct read_pictures *pictures; /* kept for the next frame; NULL: there is none */
 	struct read_stdin *standard_input; /* NULL: nobody will want it again */
 	struct read_limits limits;
+	struct pool *pool; /* long lists are read by its threads; NULL: by this one */
 	bool quiet_debug; /* do not pass on #debug output */
 	/* Asked now and then; true: stop with STATUS_SIGINT. May be NULL. */
 	bool (*stop)(void *arg);

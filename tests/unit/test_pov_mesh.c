@@ -12,7 +12,10 @@
 
 #include <cmocka.h>
 
+#include "base/pool.h"
 #include "pov_fixture.h"
+#include "read/pov/scan.h"
+#include "read/pov/share.h"
 
 #define VERTICES "mesh2 { vertex_vectors { 4, <0,0,0>, <1,0,0>, <0,1,0>, <0,0,1> } "
 
@@ -244,12 +247,148 @@ static void test_cuts(void **unused)
 	}
 }
 
+/* Long lists, which several threads share. */
+
+enum { LONG = 40000 }; /* elements: about 1 MB */
+
+struct oddity { /* at element at of vertices or faces stands this instead of it */
+	const char *name;
+	unsigned at;
+	const char *vertex, *face;
+};
+
+static const char *turn(const struct oddity *o, unsigned i, const char *odd, const char *plain)
+{
+	return i == o->at && odd ? odd : plain;
+}
+
+/* A mesh2 with all lists there are. Every hundredth element has a comment, in every seventh of which are brackets. */
+static char *long_mesh(const struct oddity *o, int announced, bool comments)
+{
+	static const char *const remark[] = { "// <1,2,3>, <\n", "/* plain */", "/* } */ ", "\r\n\t", "//\n",
+					      " /* < */ ", "" };
+	size_t size;
+	char *text, one[128];
+	FILE *f = open_memstream(&text, &size);
+
+	assert_non_null(f);
+	fprintf(f, "#declare A = <1,2,3>; mesh2 { vertex_vectors { %d,\n", announced);
+	for (unsigned i = 0; i < LONG; i++) {
+		snprintf(one, sizeof(one), "<%u.%06u, -%u, %u.5e-3>", i % 7, i, i % 1000, i);
+		fprintf(f, "%s%s,\n", turn(o, i, o->vertex, one), comments && i % 100 == 3 ? remark[i / 100 % 7] : "");
+	}
+	fprintf(f, "} normal_vectors { %d,", LONG);
+	for (unsigned i = 0; i < LONG; i++)
+		fprintf(f, "<%u, 1, %d>%s", i % 91, i % 1000 ? 1 : 0, i % 5 ? ", " : "\n");
+	fprintf(f, "} uv_vectors { %d, ", LONG);
+	for (unsigned i = 0; i < LONG; i++)
+		fprintf(f, "<0.%u, 1.%u>,", i, i % 91);
+	fprintf(f, "} face_indices { %d,\n", LONG);
+	for (unsigned i = 0; i < LONG; i++) {
+		snprintf(one, sizeof(one), "<%u, %u, %u>", i, (i + 1) % LONG, (i * 7 + 3) % LONG);
+		fprintf(f, "%s%s,\n", turn(o, i, o->face, one), comments && i % 100 == 9 ? remark[i / 100 % 7] : "");
+	}
+	fprintf(f, "} normal_indices { %d,\n", LONG - 1);
+	for (unsigned i = 0; i + 1 < LONG; i++)
+		fprintf(f, "<%u, %u, %u>,\n", i, i / 2, i / 3);
+	fprintf(f, "} uv_indices { %d,\n", LONG);
+	for (unsigned i = 0; i < LONG; i++)
+		fprintf(f, "<%u, %u, %u>,\n", i / 5, i / 2, i);
+	fprintf(f, "} texture { uv_mapping pigment { checker rgb 0, rgb 1 } } }\n");
+	fclose(f);
+	return text;
+}
+
+static void read_with(struct fixture *f, const char *text, uint32_t threads)
+{
+	struct read_options options = { .pool = threads ? pool_new(threads) : NULL };
+
+	fixture_read_bytes(f, text, strlen(text), &options);
+	fixture_dump(f, SCENE_DUMP_ARRAYS);
+	pool_free(options.pool);
+}
+
+static void expect_same(const struct oddity *o, int announced, bool comments)
+{
+	char *text = long_mesh(o, announced, comments);
+	struct fixture alone, f;
+
+	read_with(&alone, text, 0);
+	if (!o->at && announced == LONG)
+		assert_int_equal(alone.status, STATUS_OK);
+	for (uint32_t threads = 1; threads <= 5; threads += 2) {
+		read_with(&f, text, threads);
+		if (f.status != alone.status || strcmp(f.messages, alone.messages) || strcmp(f.dump, alone.dump))
+			fail_msg("%s, %d, %u threads: status %d, alone %d\n%s%s", o->name, announced, threads, f.status,
+				 alone.status, f.messages, alone.messages);
+		fixture_release(&f);
+	}
+	fixture_release(&alone);
+	free(text);
+}
+
+static void test_long_lists(void **unused)
+{
+	static const struct oddity odd[] = {
+		{ "plain", 0, NULL, NULL },
+		{ "a name", 20001, "A", NULL },
+		{ "an expression", 9999, "<1,2,3> + x", NULL },
+		{ "no number", 39999, "<1,2,z>", NULL },
+		{ "too large", 31000, "<1,2,1e400>", NULL },
+		{ "a comment in it", 20000, "<1,/* <2,3> */2,3>", "<0,/*}*/1,2>" },
+		{ "an index that is none", 21000, NULL, "<1,2,40000>" },
+		{ "a texture's number", 21000, NULL, "<1,2,3>, 0" },
+		{ "an index with a point", 30000, NULL, "<1,2,3.5>" },
+		{ "empty", 30000, "", NULL },
+		{ "two", 12345, "<1,2,3> <4,5,6>", "<1,2,3> <4,5,6>" },
+		{ "an end", 12345, "}", "}" },
+	};
+
+	(void)unused;
+	for (size_t i = 0; i < sizeof(odd) / sizeof(odd[0]); i++) {
+		expect_same(&odd[i], LONG, false);
+		expect_same(&odd[i], LONG, true);
+	}
+	expect_same(&odd[0], LONG - 1, false);
+	expect_same(&odd[0], LONG + 1, false);
+	expect_same(&odd[0], 5, false);
+}
+
+static const char *take_vector(void *list, const char *at, const char *end, size_t i)
+{
+	return scan_vector(at, end, (double *)list + 3 * i);
+}
+
+/* All of a plain list is shared, and of another what stands before the comment that misleads. */
+static void test_share(void **unused)
+{
+	static double got[3 * LONG];
+	char *text = malloc(32 * (size_t)LONG), *to = text;
+	struct pool *pool = pool_new(3);
+	const char *at = text;
+
+	(void)unused;
+	assert_non_null(text);
+	for (unsigned i = 0; i < LONG; i++)
+		to += sprintf(to, "<%u,%u,%u>,\n", i, i + 1, 0);
+	assert_int_equal(share_scan(NULL, take_vector, got, 0, LONG, &at, to), 0);
+	assert_int_equal(share_scan(pool, take_vector, got, 7, LONG - 7, &at, to), LONG - 7);
+	for (unsigned i = 7; i < LONG; i++)
+		assert_true(got[3 * i] == i - 7 && got[3 * i + 1] == i - 6);
+	at = text;
+	memcpy(strstr(text, "<20000,"), "/*<*/<2,", 8);
+	assert_in_range(share_scan(pool, take_vector, got, 0, LONG, &at, to), 10000, 21000);
+	pool_free(pool);
+	free(text);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_ways),   cmocka_unit_test(test_textures),
 		cmocka_unit_test(test_normals), cmocka_unit_test(test_errors),
-		cmocka_unit_test(test_cuts),
+		cmocka_unit_test(test_cuts),   cmocka_unit_test(test_long_lists),
+		cmocka_unit_test(test_share),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -123,6 +123,15 @@ bool mesh_add_texture(struct pov *p, struct mesh_draft *d, const uint32_t t[3], 
 	return true;
 }
 
+void mesh_add_untextured(struct mesh_draft *d, size_t count)
+{
+	if (!count)
+		return;
+	d->partial = true;
+	d->common = SCENE_NONE;
+	d->texture.count += count;
+}
+
 void mesh_normal(float out[3], vec n, bool *zero)
 {
 	double length;

@@ -42,6 +42,8 @@ void mesh_draft_release(struct mesh_draft *);
 bool mesh_reserve(struct pov *, struct mesh_array *, size_t more, size_t expect);
 /* The texture numbers of the next face; they may be SCENE_NONE, then all three are. */
 bool mesh_add_texture(struct pov *, struct mesh_draft *, const uint32_t t[3], size_t expect);
+/* Of so many faces more that have none, in a mesh without a list of textures. */
+void mesh_add_untextured(struct mesh_draft *, size_t count);
 /* Drop triangles without area, put the smooth ones first, give it to the scene and make its object.
  * The draft is empty afterwards. NULL: an error was reported. */
 struct pov_object *mesh_draft_finish(struct pov *, struct mesh_draft *);

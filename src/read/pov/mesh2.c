@@ -12,24 +12,29 @@
 
 #include "read/pov/mesh.h"
 
+#include <stdatomic.h>
+
 #include "read/limits.h"
 #include "read/pov/scan.h"
+#include "read/pov/share.h"
 
 #define TINY 1e-10 /* what POV-Ray takes for 0 */
 
 /* A list of a known number of elements. */
 struct list {
 	const char *name; /* the block's word */
+	struct pov *p; /* for textures of faces; others may not touch it while they scan */
 	struct mesh_draft *d;
+	struct mesh_array *to; /* where elements go */
 	size_t count, done, expect;
 	uint32_t below; /* indices have to be */
 	const char *of; /* what indices count */
-	bool zero_normal;
+	atomic_bool zero_normal;
+	bool alone; /* scanning an element does more than share_element allows, or sharing did not work out */
 };
 
 struct list_kind {
-	/* Scan elements while they are plain and right; returns where the next one begins. */
-	const char *(*scan)(struct pov *, struct list *, const char *at, const char *end);
+	share_element *scan;
 	bool (*read)(struct pov *, struct list *); /* one element, as tokens */
 };
 
@@ -63,6 +68,44 @@ static bool read_element(struct pov *p, struct list *l, const struct list_kind *
 	return !pov_failed(p);
 }
 
+static size_t scan_alone(struct list *l, const struct list_kind *k, size_t most, const char **at, const char *end)
+{
+	size_t n = 0;
+
+	while (n < most) {
+		const char *next = k->scan(l, *at, end, l->to->count + n);
+
+		if (!next)
+			break;
+		*at = next;
+		n++;
+	}
+	return n;
+}
+
+/* Elements while they are plain and right; returns where the next one begins. */
+static const char *scan_elements(struct pov *p, struct list *l, const struct list_kind *k, const char *at,
+				 const char *end)
+{
+	struct mesh_array *a = l->to;
+	size_t n, most;
+
+	do {
+		if (a->count == a->room && !mesh_reserve(p, a, 1, l->expect))
+			break;
+		most = l->count - l->done < a->room - a->count ? l->count - l->done : a->room - a->count;
+		n = l->alone ? 0 : share_scan(pov_options(p)->pool, k->scan, l, a->count, most, &at, end);
+		l->alone = true;
+		a->count += n;
+		l->done += n;
+		most -= n;
+		n = scan_alone(l, k, most, &at, end);
+		a->count += n;
+		l->done += n;
+	} while (n == most && l->done < l->count && !pov_failed(p));
+	return at;
+}
+
 /* Between the count and the }. */
 static bool read_elements(struct pov *p, struct list *l, const struct list_kind *k)
 {
@@ -72,7 +115,7 @@ static bool read_elements(struct pov *p, struct list *l, const struct list_kind 
 		if (pov_accept(p, TOK_COMMA) && pov_raw(p, &at, &end)) {
 			if (!l->expect)
 				l->expect = plausible(l->count, at, end);
-			at = k->scan(p, l, at, end);
+			at = scan_elements(p, l, k, at, end);
 			pov_raw_done(p, at);
 			if (l->done == l->count || pov_failed(p))
 				break;
@@ -98,22 +141,11 @@ static bool read_count(struct pov *p, struct list *l, uint32_t least)
 
 /* Vertices. */
 
-static const char *scan_vertices(struct pov *p, struct list *l, const char *at, const char *end)
+static const char *scan_vertex(void *list, const char *at, const char *end, size_t i)
 {
-	struct mesh_array *a = &l->d->vertex;
-	const char *next;
+	const struct list *l = list;
 
-	while (l->done < l->count) {
-		if (a->count == a->room && !mesh_reserve(p, a, 1, l->expect))
-			return at;
-		next = scan_vector(at, end, (double *)a->data + 3 * a->count);
-		if (!next)
-			return at;
-		at = next;
-		a->count++;
-		l->done++;
-	}
-	return at;
+	return scan_vector(at, end, (double *)l->to->data + 3 * i);
 }
 
 static bool read_vertex(struct pov *p, struct list *l)
@@ -133,8 +165,8 @@ static bool read_vertex(struct pov *p, struct list *l)
 
 static bool read_vertices(struct pov *p, struct mesh_draft *d)
 {
-	static const struct list_kind kind = { scan_vertices, read_vertex };
-	struct list l = { .name = "vertex_vectors", .d = d };
+	static const struct list_kind kind = { scan_vertex, read_vertex };
+	struct list l = { .name = "vertex_vectors", .d = d, .to = &d->vertex };
 
 	if (d->vertex.count) {
 		pov_fail(p, "the mesh has a second vertex_vectors");
@@ -145,29 +177,22 @@ static bool read_vertices(struct pov *p, struct mesh_draft *d)
 
 /* Normals. */
 
-static void add_normal(struct list *l, vec n)
+static void put_normal(struct list *l, size_t i, vec n)
 {
-	struct mesh_array *a = &l->d->normal;
+	bool zero = false;
 
-	mesh_normal((float *)a->data + 3 * a->count++, n, &l->zero_normal);
+	mesh_normal((float *)l->to->data + 3 * i, n, &zero);
+	if (zero)
+		l->zero_normal = true;
 }
 
-static const char *scan_normals(struct pov *p, struct list *l, const char *at, const char *end)
+static const char *scan_normal(void *list, const char *at, const char *end, size_t i)
 {
-	struct mesh_array *a = &l->d->normal;
-	const char *next;
 	double n[3];
 
-	while (l->done < l->count) {
-		if (a->count == a->room && !mesh_reserve(p, a, 1, l->expect))
-			return at;
-		next = scan_vector(at, end, n);
-		if (!next)
-			return at;
-		at = next;
-		add_normal(l, vec_make(n[0], n[1], n[2]));
-		l->done++;
-	}
+	at = scan_vector(at, end, n);
+	if (at)
+		put_normal(list, i, vec_make(n[0], n[1], n[2]));
 	return at;
 }
 
@@ -177,14 +202,14 @@ static bool read_normal(struct pov *p, struct list *l)
 
 	if (pov_failed(p) || !mesh_reserve(p, &l->d->normal, 1, l->expect))
 		return false;
-	add_normal(l, n);
+	put_normal(l, l->to->count++, n);
 	return true;
 }
 
 static bool read_normals(struct pov *p, struct mesh_draft *d)
 {
-	static const struct list_kind kind = { scan_normals, read_normal };
-	struct list l = { .name = "normal_vectors", .d = d };
+	static const struct list_kind kind = { scan_normal, read_normal };
+	struct list l = { .name = "normal_vectors", .d = d, .to = &d->normal };
 	struct diag_pos at = pov_here(p);
 
 	if (d->normal.count) {
@@ -201,49 +226,42 @@ static bool read_normals(struct pov *p, struct mesh_draft *d)
 
 /* Texture coordinates: kept until it is known whether a texture of the scene asks for them. */
 
-static bool add_uv(struct pov *p, struct list *l, double u, double v)
+static void put_uv(const struct list *l, size_t i, const double uv[2])
 {
-	struct mesh_array *a = &l->d->uv;
-	float *out;
+	float *out = (float *)l->to->data + 2 * i;
 
-	if (a->count == a->room && !mesh_reserve(p, a, 1, l->expect))
-		return false;
-	out = (float *)a->data + 2 * a->count++;
-	out[0] = (float)u;
-	out[1] = (float)v;
-	return true;
+	out[0] = (float)uv[0];
+	out[1] = (float)uv[1];
 }
 
-static const char *scan_uvs(struct pov *p, struct list *l, const char *at, const char *end)
+static const char *scan_uv(void *list, const char *at, const char *end, size_t i)
 {
-	const char *next;
 	double uv[2];
 
-	while (l->done < l->count) {
-		next = scan_vector2(at, end, uv);
-		if (!next || !add_uv(p, l, uv[0], uv[1]))
-			return at;
-		at = next;
-		l->done++;
-	}
+	at = scan_vector2(at, end, uv);
+	if (at)
+		put_uv(list, i, uv);
 	return at;
 }
 
 static bool read_uv(struct pov *p, struct list *l)
 {
 	struct diag_pos at = pov_here(p);
-	double u, v;
+	double uv[2];
 
-	pov_vector2(p, &u, &v);
-	if (!pov_failed(p) && (!isfinite(u) || !isfinite(v)))
+	pov_vector2(p, &uv[0], &uv[1]);
+	if (!pov_failed(p) && (!isfinite(uv[0]) || !isfinite(uv[1])))
 		pov_fail_at(p, &at, "a uv vector has a component that is not a finite number");
-	return !pov_failed(p) && add_uv(p, l, u, v);
+	if (pov_failed(p) || !mesh_reserve(p, l->to, 1, l->expect))
+		return false;
+	put_uv(l, l->to->count++, uv);
+	return true;
 }
 
 static bool read_uvs(struct pov *p, struct mesh_draft *d)
 {
-	static const struct list_kind kind = { scan_uvs, read_uv };
-	struct list l = { .name = "uv_vectors", .d = d };
+	static const struct list_kind kind = { scan_uv, read_uv };
+	struct list l = { .name = "uv_vectors", .d = d, .to = &d->uv };
 
 	d->uv.count = 0; /* a second list takes the first one's place */
 	return read_count(p, &l, 0) && read_elements(p, &l, &kind);
@@ -289,30 +307,22 @@ static bool face_textures(struct pov *p, struct list *l, uint32_t t[3], int coun
 	return mesh_add_texture(p, l->d, t, l->expect);
 }
 
-static const char *scan_faces(struct pov *p, struct list *l, const char *at, const char *end)
+/* The numbers of textures, if there may be any, are put where they go in the order of faces. */
+static const char *scan_one_face(void *list, const char *at, const char *end, size_t i)
 {
-	struct mesh_array *a = &l->d->index;
-	uint32_t t[3], *out;
-	const char *next;
+	struct list *l = list;
+	uint32_t t[3], *out = (uint32_t *)l->to->data + 3 * i;
 	int count;
 
-	while (l->done < l->count) {
-		if (a->count == a->room && !mesh_reserve(p, a, 1, l->expect))
-			return at;
-		out = (uint32_t *)a->data + 3 * a->count;
-		next = scan_face(at, end, out, t, &count);
-		if (!next || count == 2 || !in_range(out, l->below))
-			return at;
-		for (int i = 0; i < count; i++) {
-			if (t[i] >= l->d->list_count)
-				return at;
-		}
-		at = next;
-		a->count++;
-		l->done++;
-		if (!face_textures(p, l, t, count))
-			return at;
+	at = scan_face(at, end, out, t, &count);
+	if (!at || count == 2 || !in_range(out, l->below))
+		return NULL;
+	for (int k = 0; k < count; k++) {
+		if (t[k] >= l->d->list_count)
+			return NULL;
 	}
+	if (l->d->list_count && !face_textures(l->p, l, t, count))
+		return NULL;
 	return at;
 }
 
@@ -360,14 +370,17 @@ static bool read_face(struct pov *p, struct list *l)
 		pov_fail_at(p, &at, "a face has two texture numbers: give one, or one for each corner");
 		return false;
 	}
-	return face_textures(p, l, t, count);
+	return !l->d->list_count || face_textures(p, l, t, count);
 }
 
 static bool read_faces(struct pov *p, struct mesh_draft *d)
 {
-	static const struct list_kind kind = { scan_faces, read_face };
+	static const struct list_kind kind = { scan_one_face, read_face };
 	struct list l = { .name = "face_indices",
+			  .p = p,
 			  .d = d,
+			  .to = &d->index,
+			  .alone = d->list_count,
 			  .below = (uint32_t)d->vertex.count,
 			  .of = "vertices" };
 
@@ -375,43 +388,27 @@ static bool read_faces(struct pov *p, struct mesh_draft *d)
 		pov_fail(p, "the file ends in mesh2 { ... } before its face_indices");
 	else if (pov_token(p) != TOK_FACE_INDICES)
 		pov_expect(p, TOK_FACE_INDICES, "in mesh2");
-	return !pov_failed(p) && read_count(p, &l, 1) && read_elements(p, &l, &kind);
+	if (pov_failed(p) || !read_count(p, &l, 1) || !read_elements(p, &l, &kind))
+		return false;
+	if (!d->list_count)
+		mesh_add_untextured(d, d->index.count);
+	return true;
 }
 
 /* Indices of normals and of texture coordinates. */
 
-static const char *scan_indices(struct pov *p, struct list *l, const char *at, const char *end,
-				struct mesh_array *a)
+static const char *scan_index(void *list, const char *at, const char *end, size_t i)
 {
-	const char *next;
-	uint32_t *out;
+	const struct list *l = list;
+	uint32_t *out = (uint32_t *)l->to->data + 3 * i;
 
-	while (l->done < l->count) {
-		if (a->count == a->room && !mesh_reserve(p, a, 1, l->expect))
-			return at;
-		out = (uint32_t *)a->data + 3 * a->count;
-		next = scan_indices3(at, end, out);
-		if (!next || !in_range(out, l->below))
-			return at;
-		at = next;
-		a->count++;
-		l->done++;
-	}
-	return at;
+	at = scan_indices3(at, end, out);
+	return at && in_range(out, l->below) ? at : NULL;
 }
 
-static const char *scan_normal_indices(struct pov *p, struct list *l, const char *at, const char *end)
+static bool read_index(struct pov *p, struct list *l)
 {
-	return scan_indices(p, l, at, end, &l->d->normal_index);
-}
-
-static const char *scan_uv_indices(struct pov *p, struct list *l, const char *at, const char *end)
-{
-	return scan_indices(p, l, at, end, &l->d->uv_index);
-}
-
-static bool read_index(struct pov *p, struct list *l, struct mesh_array *a)
-{
+	struct mesh_array *a = l->to;
 	uint32_t v[3];
 
 	if (!read_indices(p, l, v) || !mesh_reserve(p, a, 1, l->expect))
@@ -422,21 +419,13 @@ static bool read_index(struct pov *p, struct list *l, struct mesh_array *a)
 	return true;
 }
 
-static bool read_normal_index(struct pov *p, struct list *l)
-{
-	return read_index(p, l, &l->d->normal_index);
-}
-
-static bool read_uv_index(struct pov *p, struct list *l)
-{
-	return read_index(p, l, &l->d->uv_index);
-}
+static const struct list_kind kind_indices = { scan_index, read_index };
 
 static bool read_normal_indices(struct pov *p, struct mesh_draft *d)
 {
-	static const struct list_kind kind = { scan_normal_indices, read_normal_index };
 	struct list l = { .name = "normal_indices",
 			  .d = d,
+			  .to = &d->normal_index,
 			  .below = (uint32_t)d->normal.count,
 			  .of = "normals" };
 	struct diag_pos at = pov_here(p);
@@ -449,14 +438,14 @@ static bool read_normal_indices(struct pov *p, struct mesh_draft *d)
 		return false;
 	}
 	d->smooth_count = (uint32_t)l.count;
-	return read_elements(p, &l, &kind);
+	return read_elements(p, &l, &kind_indices);
 }
 
 static bool read_uv_indices(struct pov *p, struct mesh_draft *d)
 {
-	static const struct list_kind kind = { scan_uv_indices, read_uv_index };
 	struct list l = { .name = "uv_indices",
 			  .d = d,
+			  .to = &d->uv_index,
 			  .below = d->uv.count ? (uint32_t)d->uv.count : 1,
 			  .of = "uv vectors" };
 	struct diag_pos at = pov_here(p);
@@ -468,7 +457,7 @@ static bool read_uv_indices(struct pov *p, struct mesh_draft *d)
 			    "each", l.count, d->index.count);
 		return false;
 	}
-	return read_elements(p, &l, &kind);
+	return read_elements(p, &l, &kind_indices);
 }
 
 static bool read_texture_list(struct pov *p, struct mesh_draft *d)

@@ -78,6 +78,11 @@ static inline const char *skip_blanks(const char *at, const char *end)
 	return at && at < end ? at : NULL;
 }
 
+const char *scan_blanks(const char *at, const char *end)
+{
+	return skip_blanks(at, end);
+}
+
 static const char *scan_hard_number(const char *at, const char *end, bool negative, double *out)
 {
 	double x;

@@ -19,5 +19,7 @@ const char *scan_indices3(const char *at, const char *end, uint32_t out[3]);
 /* <a,b,c> and up to three whole numbers behind it, *count of them. */
 const char *scan_face(const char *at, const char *end, uint32_t out[3], uint32_t extra[3],
 		      int *count);
+/* Where what is not blank or a comment begins; NULL: nowhere before end, or a comment is not plain. */
+const char *scan_blanks(const char *at, const char *end);
 
 #endif

@@ -4,6 +4,9 @@
  * Tiles on the short way, where it is known from the start which samples make a pixel (see aa.c, whose operations
  * and whose order these are): samples go straight into the picture.
  */
+#include <string.h>
+
+#include "base/wide.h"
 #include "film/tone.h"
 #include "render/short_wave.h"
 #include "shade/camera.h"
@@ -46,35 +49,59 @@ static inline uint32_t least(uint32_t a, uint32_t b)
 	return a < b ? a : b;
 }
 
-/* Square by square, each by rows, into s->seen. */
+/* In which order a part's samples are asked for: squares of 8 x 8, as many as a herd of rays has (accelerators take
+ * them as they come), in each of them squares of 4 x 4 by rows. */
+static void order_square(struct short_wave *s, const struct patch *p, uint32_t left, uint32_t top, uint32_t *k)
+{
+	for (uint32_t q = 0; q < 4; q++) {
+		uint32_t x0 = left + q % 2 * SIDE, y0 = top + q / 2 * SIDE;
+
+		for (uint32_t y = y0; y < least(y0 + SIDE, p->rows); y++) {
+			for (uint32_t x = x0; x < least(x0 + SIDE, p->columns); x++, ++*k) {
+				s->column[*k] = (uint16_t)x;
+				s->row[*k] = (uint16_t)y;
+				s->place[y * p->columns + x] = (uint16_t)*k;
+			}
+		}
+	}
+}
+
+static void order_samples(struct short_wave *s, const struct patch *p)
+{
+	uint32_t k = 0;
+
+	if (s->columns == p->columns && s->rows == p->rows)
+		return;
+	for (uint32_t top = 0; top < p->rows; top += 2 * SIDE) {
+		for (uint32_t left = 0; left < p->columns; left += 2 * SIDE)
+			order_square(s, p, left, top, &k);
+	}
+	s->columns = p->columns;
+	s->rows = p->rows;
+}
+
+/* Into s->seen. */
 static bool trace_patch(struct worker *w, const struct patch *p)
 {
 	struct short_wave *s = w->shorts;
-	uint32_t k = 0, done = 0;
+	uint32_t samples = p->columns * p->rows;
 
+	order_samples(s, p);
 	for (uint32_t x = 0; x < p->columns; x++)
 		s->across[x] = coordinate(p->x, x, p->n);
 	for (uint32_t y = 0; y < p->rows; y++)
 		s->down[y] = coordinate(p->y, y, p->n);
-	for (uint32_t top = 0; top < p->rows; top += SIDE) {
-		for (uint32_t left = 0; left < p->columns; left += SIDE) {
-			uint32_t right = least(left + SIDE, p->columns), bottom = least(top + SIDE, p->rows);
+	for (uint32_t done = 0; done < samples; done += SHORT_BATCH) {
+		uint32_t n = least(samples - done, SHORT_BATCH);
 
-			for (uint32_t y = top; y < bottom; y++) {
-				for (uint32_t x = left; x < right; x++) {
-					s->x[k] = s->across[x];
-					s->y[k++] = s->down[y];
-				}
-			}
-			if (k + SIDE * SIDE <= SHORT_BATCH)
-				continue;
-			if (!wave_short(w, k, s->seen + done))
-				return false;
-			done += k;
-			k = 0;
+		for (uint32_t k = 0; k < n; k++) {
+			s->x[k] = s->across[s->column[done + k]];
+			s->y[k] = s->down[s->row[done + k]];
 		}
+		if (!wave_short(w, n, s->seen + done))
+			return false;
 	}
-	return !k || wave_short(w, k, s->seen + done);
+	return true;
 }
 
 struct sum {
@@ -95,26 +122,6 @@ static inline void add(struct sum *to, const struct seen *s, double weight)
 	to->transmit += s->transmit * weight;
 }
 
-/* Of the square that holds a row's samples, and where in it the row begins. */
-struct row {
-	const struct seen *first; /* of the row of squares */
-	uint32_t y, height;
-};
-
-static inline struct row row_of(const struct short_wave *s, const struct patch *p, uint32_t y)
-{
-	uint32_t top = y - y % SIDE;
-
-	return (struct row){ s->seen + (size_t)top * p->columns, y % SIDE, least(SIDE, p->rows - top) };
-}
-
-static inline const struct seen *seen_at(const struct patch *p, const struct row *r, uint32_t x)
-{
-	uint32_t left = x - x % SIDE;
-
-	return r->first + left * r->height + r->y * least(SIDE, p->columns - left) + x % SIDE;
-}
-
 static inline bool put(const struct sum *s, double gamma, float *out)
 {
 	struct rgb c = tone_linear_rgb(s->colour, gamma);
@@ -133,18 +140,15 @@ static inline bool put(const struct sum *s, double gamma, float *out)
 
 static struct sum sum_pixel(const struct short_wave *s, const struct patch *p, uint32_t x, uint32_t y)
 {
+	const uint16_t *place = s->place + (size_t)y * p->n * p->columns + (size_t)x * p->n;
 	double weight = 1.0 / ((double)p->n * p->n + p->middle);
 	struct sum sum = { .finite = true };
-	struct row r;
 
-	if (p->middle) {
-		r = row_of(s, p, y * p->n + p->n / 2);
-		add(&sum, seen_at(p, &r, x * p->n + p->n / 2), weight);
-	}
-	for (uint32_t j = 0; j < p->n; j++) {
-		r = row_of(s, p, y * p->n + j);
+	if (p->middle)
+		add(&sum, &s->seen[place[p->n / 2 * p->columns + p->n / 2]], weight);
+	for (uint32_t j = 0; j < p->n; j++, place += p->columns) {
 		for (uint32_t i = 0; i < p->n; i++)
-			add(&sum, seen_at(p, &r, x * p->n + i), weight);
+			add(&sum, &s->seen[place[i]], weight);
 	}
 	return sum;
 }
@@ -162,22 +166,44 @@ static inline void put_at(const struct canvas *c, const struct patch *p, uint32_
 		nonfinite_note(c->bad, 1, p->x + x, p->y + y);
 }
 
-/* A sample a pixel, in the order in which they are there. */
-static void draw_single(const struct canvas *c, const struct patch *p, const struct seen *s)
+/* A sample a pixel: what add() and put() make of n of them, without a branch. False: not all are finite. */
+WIDE static bool round_all(const struct seen *restrict from, uint32_t n, float *restrict to)
 {
-	for (uint32_t top = 0; top < p->rows; top += SIDE) {
-		for (uint32_t left = 0; left < p->columns; left += SIDE) {
-			uint32_t right = least(left + SIDE, p->columns), bottom = least(top + SIDE, p->rows);
+	float nothing[4] = { 0, 0, 0, 0 };
 
-			for (uint32_t y = top; y < bottom; y++) {
-				for (uint32_t x = left; x < right; x++) {
-					struct sum sum = { .finite = true };
+	for (uint32_t k = 0; k < n; k++, to += 4) {
+		double x[4] = { from[k].colour.r, from[k].colour.g, from[k].colour.b, from[k].transmit };
 
-					add(&sum, s++, 1);
-					put_at(c, p, x, y, &sum);
-				}
-			}
-		}
+		for (unsigned i = 0; i < 4; i++)
+			to[i] = (float)((i < 3 ? 0.0 : 1.0) + (i < 3 ? x[i] : -x[i]));
+		for (unsigned i = 0; i < 4; i++)
+			nothing[i] += to[i] * 0;
+	}
+	return nothing[0] + nothing[1] + nothing[2] + nothing[3] == 0;
+}
+
+static void draw_one_by_one(const struct canvas *c, const struct patch *p, const struct short_wave *s)
+{
+	for (uint32_t k = 0; k < p->columns * p->rows; k++) {
+		struct sum sum = { .finite = true };
+
+		add(&sum, &s->seen[k], 1);
+		put_at(c, p, s->column[k], s->row[k], &sum);
+	}
+}
+
+static void draw_single(const struct canvas *c, const struct patch *p, struct short_wave *s)
+{
+	if (c->gamma != 1 || !round_all(s->seen, p->columns * p->rows, s->pixel)) {
+		draw_one_by_one(c, p, s);
+		return;
+	}
+	for (uint32_t y = 0; y < p->rows; y++) {
+		const uint16_t *place = s->place + (size_t)y * p->columns;
+		float *out = c->out + y * c->pitch;
+
+		for (uint32_t x = 0; x < p->columns; x++)
+			memcpy(out + 4 * (size_t)x, s->pixel + 4 * (size_t)place[x], 4 * sizeof(*out));
 	}
 }
 
@@ -186,7 +212,7 @@ static bool draw_patch(struct worker *w, const struct patch *p, const struct can
 	if (!trace_patch(w, p))
 		return false;
 	if (p->n == 1) {
-		draw_single(c, p, w->shorts->seen);
+		draw_single(c, p, w->shorts);
 		return true;
 	}
 	for (uint32_t y = 0; y < p->height; y++) {

@@ -20,7 +20,10 @@ struct short_wave {
 	bool there[SHORT_BATCH]; /* the camera sees something there */
 	bool later[SHORT_BATCH]; /* it has to go the long way */
 	struct seen seen[SHORT_HELD];
+	float pixel[4 * SHORT_HELD]; /* R, G, B and A of samples that are pixels */
 	double across[SHORT_HELD], down[SHORT_HELD]; /* coordinates of a part's columns and rows */
+	uint32_t columns, rows; /* of the part that this order is for: where the samples are, and which is where */
+	uint16_t column[SHORT_HELD], row[SHORT_HELD], place[SHORT_HELD];
 };
 
 /* What is seen in the first n places of w->shorts. False: w->stopped, or out of memory. */

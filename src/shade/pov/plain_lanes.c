@@ -41,55 +41,48 @@ bool plain_lanes_begin(struct plain_lanes *b, const struct shader *sh, uint32_t 
 
 /* ---- where the hits are ---- */
 
-static void face_ray(struct plain_lanes *b, uint32_t at)
+/* eye: a slice of each axis. */
+WIDE static void face_rays(struct facets *restrict f, const double *restrict x, const double *restrict y,
+			   const double *restrict z)
 {
-	const double *x = b->ns[0] + at, *y = b->ns[1] + at, *z = b->ns[2] + at;
-
 	for (unsigned i = 0; i < LANES; i++) {
-		uint32_t ray = b->ray[at + i]; /* beyond the last: an older one */
-		vec ns = vec_make(x[i], y[i], z[i]), dir = vec_make(b->dir[0][ray], b->dir[1][ray], b->dir[2][ray]);
-		double side = vec_dot(ns, dir) > 0 ? -1 : 1;
+		vec ns = vec_make(f->ns[0][i], f->ns[1][i], f->ns[2][i]);
+		double side = vec_dot(ns, vec_make(x[i], y[i], z[i])) > 0 ? -1 : 1;
 
-		b->ns[0][at + i] = ns.x * side;
-		b->ns[1][at + i] = ns.y * side;
-		b->ns[2][at + i] = ns.z * side;
+		f->ns[0][i] = ns.x * side;
+		f->ns[1][i] = ns.y * side;
+		f->ns[2][i] = ns.z * side;
 	}
 }
 
-static void put_lane(struct plain_lanes *b, uint32_t at, unsigned i, const struct surface *s)
+static void put_lane(struct facets *f, unsigned i, const struct surface *s)
 {
 	const vec *from[3] = { &s->p, &s->n, &s->ns };
-	double(*to[3])[PLAIN_LANES] = { b->p, b->n, b->ns };
+	double(*to[3])[LANES] = { f->p, f->n, f->ns };
 
 	for (unsigned k = 0; k < 3; k++) {
-		to[k][0][at + i] = from[k]->x;
-		to[k][1][at + i] = from[k]->y;
-		to[k][2][at + i] = from[k]->z;
+		to[k][0][i] = from[k]->x;
+		to[k][1][i] = from[k]->y;
+		to[k][2][i] = from[k]->z;
 	}
-	b->error[at + i] = s->error;
+	f->error[i] = s->error;
 }
 
-/* The lanes at are full, or all that there will be. */
+/* The lanes at are full, or all that there will be. Beyond the last are older ones. */
 static void place(struct plain_lanes *b, const struct shader *sh, uint32_t at)
 {
-	const struct facets *f = &b->placed;
+	struct facets *f = &b->placed[at / LANES];
 
-	facet_place(sh->geometry, &b->now, &b->placed);
-	for (unsigned k = 0; k < 3; k++) {
-		memcpy(b->p[k] + at, f->p[k], sizeof(f->p[k]));
-		memcpy(b->n[k] + at, f->n[k], sizeof(f->n[k]));
-		memcpy(b->ns[k] + at, f->ns[k], sizeof(f->ns[k]));
-	}
-	memcpy(b->error + at, f->error, sizeof(f->error));
+	facet_place(sh->geometry, &b->now, f);
 	for (unsigned i = 0; i < LANES && at + i < b->count; i++) {
 		struct surface s;
 
 		if (f->size[i] > FACET_SLIVER)
 			continue;
 		surface_at(sh->geometry, NULL, &b->hit[b->ray[at + i]], &s);
-		put_lane(b, at, i, &s);
+		put_lane(f, i, &s);
 	}
-	face_ray(b, at);
+	face_rays(f, b->eye[0] + at, b->eye[1] + at, b->eye[2] + at);
 }
 
 /* Hits that have less in common than those before begin another sort. */
@@ -116,6 +109,9 @@ bool plain_lanes_take(struct plain_lanes *b, const struct shader *sh, const stru
 	sort = sort_of(b, &b->kind, texture);
 	b->group[at / LANES] = lane && b->group[at / LANES] != sort ? 0 : sort;
 	b->ray[at] = ray;
+	b->eye[0][at] = b->dir[0][ray]; /* no loop, as in prim_triangle() */
+	b->eye[1][at] = b->dir[1][ray];
+	b->eye[2][at] = b->dir[2][ray];
 	b->prim[at] = hit->prim;
 	b->texture[at] = texture;
 	b->light_set[at] = b->kind.light_set;
@@ -184,7 +180,8 @@ WIDE static void towards_even(const double *restrict px, const double *restrict 
 
 static void towards(const struct plain_lanes *b, uint32_t at, const struct lamp *l, struct to_lamp *out)
 {
-	const double *x = b->p[0] + at, *y = b->p[1] + at, *z = b->p[2] + at;
+	const struct facets *f = &b->placed[at / LANES];
+	const double *x = f->p[0], *y = f->p[1], *z = f->p[2];
 
 	if (l->point && l->fades) {
 		towards_all(x, y, z, l->at, l->light->fade_distance, out);
@@ -239,21 +236,14 @@ LANED void light_lane(vec p, vec n, vec ns, double error, const struct to_lamp *
 	out->sound[i] = ((nothing == 0) & ((dir.x != 0) | (dir.y != 0) | (dir.z != 0)) & (0 <= reach)) ? 1 : 0;
 }
 
-/* Eight hits, whose places are in slices of the batch. */
-struct lit_hits {
-	const double *p[3], *n[3], *ns[3], *error;
-};
-
-WIDE static void light_all(const struct lit_hits *restrict h, const struct to_lamp *restrict to,
+WIDE static void light_all(const struct facets *restrict h, const struct to_lamp *restrict to,
 			   const struct paint_lanes *restrict m, struct rgb colour, vec shift, double scale,
 			   struct from_lamp *restrict out)
 {
-	const double *px = h->p[0], *py = h->p[1], *pz = h->p[2], *nx = h->n[0], *ny = h->n[1], *nz = h->n[2];
-	const double *sx = h->ns[0], *sy = h->ns[1], *sz = h->ns[2], *error = h->error;
-
 	for (unsigned i = 0; i < LANES; i++)
-		light_lane(vec_make(px[i], py[i], pz[i]), vec_make(nx[i], ny[i], nz[i]),
-			   vec_make(sx[i], sy[i], sz[i]), error[i], to, m, colour, shift, scale, out, i);
+		light_lane(vec_make(h->p[0][i], h->p[1][i], h->p[2][i]), vec_make(h->n[0][i], h->n[1][i], h->n[2][i]),
+			   vec_make(h->ns[0][i], h->ns[1][i], h->ns[2][i]), h->error[i], to, m, colour, shift, scale,
+			   out, i);
 }
 
 static void paint_lane(struct plain_lanes *b, const struct shader *sh, const struct paint *paint, const struct light *l,
@@ -297,11 +287,11 @@ static void put_ray(struct plain_lanes *b, const struct from_lamp *f, uint32_t a
 static struct rgb shine(const struct plain_lanes *b, const struct paint *p, const struct light *l,
 			const struct to_lamp *to, const struct from_lamp *from, uint32_t at, unsigned i)
 {
-	uint32_t ray = b->ray[at + i];
+	const struct facets *h = &b->placed[at / LANES];
 	struct finish_light f = {
 		.to_light = { to->dir[0][i], to->dir[1][i], to->dir[2][i] },
-		.eye = { b->dir[0][ray], b->dir[1][ray], b->dir[2][ray] },
-		.normal = { b->ns[0][at + i], b->ns[1][at + i], b->ns[2][at + i] },
+		.eye = { b->eye[0][at + i], b->eye[1][at + i], b->eye[2][at + i] },
+		.normal = { h->ns[0][i], h->ns[1][i], h->ns[2][i] },
 		.light = rgb_scale(l->colour, to->part[i]), .pigment = p->pigment, .opacity = 1,
 		.behind = from->behind[i] != 0, .highlights = true,
 	};
@@ -312,9 +302,6 @@ static struct rgb shine(const struct plain_lanes *b, const struct paint *p, cons
 static void ask_eight(struct plain_lanes *b, const struct shader *sh, const struct paint *paint, const struct lamp *l,
 		      uint32_t at, uint32_t *painted)
 {
-	const struct lit_hits h = { .p = { b->p[0] + at, b->p[1] + at, b->p[2] + at },
-				    .n = { b->n[0] + at, b->n[1] + at, b->n[2] + at },
-				    .ns = { b->ns[0] + at, b->ns[1] + at, b->ns[2] + at }, .error = b->error + at };
 	uint32_t left = b->count - at, sort = b->group[at / LANES];
 	unsigned lanes = left < LANES ? left : LANES;
 	struct from_lamp from;
@@ -326,7 +313,7 @@ static void ask_eight(struct plain_lanes *b, const struct shader *sh, const stru
 		*painted = sort;
 	}
 	towards(b, at, l, &to);
-	light_all(&h, &to, &b->paint, l->light->colour, b->room.shift, b->room.scale, &from);
+	light_all(&b->placed[at / LANES], &to, &b->paint, l->light->colour, b->room.shift, b->room.scale, &from);
 	for (unsigned i = 0; i < lanes; i++) {
 		const struct paint *p = &paint[b->texture[at + i]];
 

@@ -40,11 +40,11 @@ struct plain_lanes {
 	struct trace_room room;
 	struct facet_kind kind;
 	struct facet_hits now; /* lanes being filled */
-	struct facets placed;
+	struct facets placed[PLAIN_LANES / LANES]; /* ns: turned to where the ray comes from */
+	double eye[3][PLAIN_LANES]; /* by hit: where the ray goes */
 	uint32_t count; /* hits taken */
 	uint32_t sort, sorts; /* what the last hit has in common with others is numbered, from 1 on */
 	uint32_t group[PLAIN_LANES / LANES]; /* the number of eight hits, or 0: they differ */
-	double p[3][PLAIN_LANES], n[3][PLAIN_LANES], ns[3][PLAIN_LANES], error[PLAIN_LANES];
 	double dir[3][PLAIN_LANES]; /* by ray: where it goes */
 	uint32_t ray[PLAIN_LANES], prim[PLAIN_LANES], texture[PLAIN_LANES], light_set[PLAIN_LANES];
 	bool both[PLAIN_LANES];

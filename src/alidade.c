@@ -259,7 +259,8 @@ static enum status run_write(struct run *run, bool complete)
 	if (!s->alpha)
 		drop_alpha(&run->image);
 	progress_begin(&run->progress, "writing", began);
-	st = image_write(&run->image, path, s->bits, note, sizeof(note) / sizeof(*note), &run->diag);
+	st = image_write(&run->image, path, s->bits, note, sizeof(note) / sizeof(*note), run->pool,
+			 &run->diag);
 	run->write_seconds = clock_seconds() - began;
 	progress_end(&run->progress, clock_seconds());
 	if (!st && !complete)

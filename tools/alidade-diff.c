@@ -296,7 +296,7 @@ static int compare(const struct settings *s, char **name, struct diag *diag)
 		code = (int)r.verdict;
 	/* What is shown is the difference itself: no curve is laid over it. */
 	picture.encoding = s->output ? image_file_encoding(s->output) : IMAGE_LINEAR;
-	if (picture.pixel && image_write(&picture, s->output, 0, NULL, 0, diag))
+	if (picture.pixel && image_write(&picture, s->output, 0, NULL, 0, NULL, diag))
 		code = EXIT_FILE;
 out:
 	image_release(&image[0]);

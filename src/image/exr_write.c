@@ -18,20 +18,39 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/pool.h"
 #include "image/half.h"
 
 #define LINES 16 /* in a chunk, with ZIP */
+#define GROUP 32u /* chunks that are held until they are written */
+
+struct writer;
+
+struct tool { /* a thread's */
+	struct writer *w;
+	exr_encode_pipeline_t pipe;
+	bool piped; /* pipe is initialised */
+	exr_result_t (*compress)(exr_encode_pipeline_t *); /* OpenEXR's */
+	double *row;
+	unsigned char *chunk; /* [channel][line][x], as stored */
+	struct packed *to; /* where the chunk goes that is made */
+};
+
+struct packed { /* a chunk as it will be in the file */
+	unsigned char *data;
+	size_t size;
+	exr_result_t rv;
+};
 
 struct writer {
 	const struct image_job *job;
 	exr_context_t exr;
-	exr_encode_pipeline_t pipe;
-	bool piped; /* pipe is initialised */
-	exr_result_t (*compress)(exr_encode_pipeline_t *); /* OpenEXR's */
 	bool failed; /* the stream */
-	double *row;
-	unsigned char *chunk; /* [channel][line][x], as stored */
 	bool half[IMAGE_CHANNELS];
+	uint32_t first; /* chunk of the group */
+	struct packed packed[GROUP];
+	uint32_t threads;
+	struct tool *tool;
 };
 
 /* Keeps the library from printing. It may hold its lock here, so its functions can't be asked whose
@@ -100,20 +119,20 @@ static exr_result_t add_header(struct writer *w)
 }
 
 /* Rows y .. y + lines - 1 from the image into the chunk. */
-static void fill_chunk(struct writer *w, uint32_t y, uint32_t lines)
+static void fill_chunk(const struct writer *w, struct tool *t, uint32_t y, uint32_t lines)
 {
 	const struct image *im = w->job->image;
 	struct image_form form = { IMAGE_LINEAR, true };
 	size_t width = im->width;
 
 	for (uint32_t l = 0; l < lines; l++) {
-		image_row(im, y + l, NULL, im->channels, form, w->row);
+		image_row(im, y + l, NULL, im->channels, form, t->row);
 		for (uint32_t c = 0; c < im->channels; c++) {
 			unsigned char *to =
-				w->chunk + ((size_t)c * LINES + l) * width * sizeof(float);
+				t->chunk + ((size_t)c * LINES + l) * width * sizeof(float);
 
 			for (size_t x = 0; x < width; x++) {
-				float v = (float)w->row[x * im->channels + c];
+				float v = (float)t->row[x * im->channels + c];
 				uint16_t h = half_from_float(v);
 
 				if (w->half[c])
@@ -125,12 +144,12 @@ static void fill_chunk(struct writer *w, uint32_t y, uint32_t lines)
 	}
 }
 
-static void point_channels(struct writer *w)
+static void point_channels(const struct writer *w, struct tool *t)
 {
 	const struct image *im = w->job->image;
 
-	for (int i = 0; i < w->pipe.channel_count; i++) {
-		exr_coding_channel_info_t *info = &w->pipe.channels[i];
+	for (int i = 0; i < t->pipe.channel_count; i++) {
+		exr_coding_channel_info_t *info = &t->pipe.channels[i];
 		uint32_t c = 0;
 
 		while (strcmp(im->name[c], info->channel_name))
@@ -139,7 +158,7 @@ static void point_channels(struct writer *w)
 		info->user_bytes_per_element = w->half[c] ? 2 : 4;
 		info->user_pixel_stride = info->user_bytes_per_element;
 		info->user_line_stride = (int32_t)(im->width * sizeof(float));
-		info->encode_from_ptr = w->chunk + (size_t)c * LINES * im->width * sizeof(float);
+		info->encode_from_ptr = t->chunk + (size_t)c * LINES * im->width * sizeof(float);
 	}
 }
 
@@ -147,35 +166,114 @@ static void point_channels(struct writer *w)
  * OpenEXR 3.1 writes it compressed nevertheless. */
 static exr_result_t compress(exr_encode_pipeline_t *pipe)
 {
-	const struct writer *w = pipe->encoding_user_data;
-	exr_result_t rv = w->compress(pipe);
+	const struct tool *t = pipe->encoding_user_data;
+	exr_result_t rv = t->compress(pipe);
 
 	if (!rv && pipe->compressed_bytes == pipe->packed_bytes)
 		memcpy(pipe->compressed_buffer, pipe->packed_buffer, pipe->packed_bytes);
 	return rv;
 }
 
-static exr_result_t write_chunk(struct writer *w, uint32_t y)
+/* Instead of into the file, where chunks have to be in order. */
+static exr_result_t keep(exr_encode_pipeline_t *pipe)
 {
+	const struct tool *t = pipe->encoding_user_data;
+
+	t->to->data = malloc(pipe->compressed_bytes + 1);
+	if (!t->to->data)
+		return EXR_ERR_OUT_OF_MEMORY;
+	memcpy(t->to->data, pipe->compressed_buffer, pipe->compressed_bytes);
+	t->to->size = pipe->compressed_bytes;
+	return EXR_ERR_SUCCESS;
+}
+
+static exr_result_t tool_begin(struct tool *t, const exr_chunk_info_t *info)
+{
+	struct writer *w = t->w;
+	size_t n = (size_t)w->job->image->width * w->job->image->channels;
+
+	if (t->piped)
+		return exr_encoding_update(w->exr, 0, info, &t->pipe);
+	t->row = t->row ? t->row : malloc(n * sizeof(*t->row));
+	t->chunk = t->chunk ? t->chunk : malloc(mem_product(n, LINES * sizeof(float)));
+	return t->row && t->chunk ? exr_encoding_initialize(w->exr, 0, info, &t->pipe) : EXR_ERR_OUT_OF_MEMORY;
+}
+
+static exr_result_t pack(struct tool *t, uint32_t y)
+{
+	struct writer *w = t->w;
 	exr_chunk_info_t info;
 	exr_result_t rv = exr_write_scanline_chunk_info(w->exr, 0, (int)y, &info);
 
+	if (!rv)
+		rv = tool_begin(t, &info);
 	if (rv)
 		return rv;
-	rv = w->piped ? exr_encoding_update(w->exr, 0, &info, &w->pipe) :
-			exr_encoding_initialize(w->exr, 0, &info, &w->pipe);
-	if (rv)
-		return rv;
-	fill_chunk(w, y, (uint32_t)info.height);
-	point_channels(w);
-	if (!w->piped) {
-		rv = exr_encoding_choose_default_routines(w->exr, 0, &w->pipe);
-		w->compress = w->pipe.compress_fn;
-		w->pipe.compress_fn = compress;
-		w->pipe.encoding_user_data = w;
+	fill_chunk(w, t, y, (uint32_t)info.height);
+	point_channels(w, t);
+	if (!t->piped) {
+		rv = exr_encoding_choose_default_routines(w->exr, 0, &t->pipe);
+		t->compress = t->pipe.compress_fn;
+		t->pipe.compress_fn = compress;
+		t->pipe.yield_until_ready_fn = NULL; /* it wants chunks in order */
+		t->pipe.write_fn = keep;
+		t->pipe.encoding_user_data = t;
 	}
-	w->piped = true;
-	return rv ? rv : exr_encoding_run(w->exr, 0, &w->pipe);
+	t->piped = true;
+	return rv ? rv : exr_encoding_run(w->exr, 0, &t->pipe);
+}
+
+static void pack_job(void *arg, uint32_t i, uint32_t thread)
+{
+	struct writer *w = arg;
+	struct tool *t = &w->tool[thread];
+
+	t->to = &w->packed[i];
+	t->to->rv = pack(t, (w->first + i) * LINES);
+}
+
+/* n chunks from w->first on. */
+static exr_result_t write_group(struct writer *w, uint32_t n)
+{
+	exr_result_t rv = EXR_ERR_SUCCESS;
+
+	memset(w->packed, 0, sizeof(w->packed));
+	if (w->job->pool)
+		pool_run(w->job->pool, n, pack_job, w);
+	for (uint32_t i = 0; !w->job->pool && i < n; i++)
+		pack_job(w, i, 0);
+	for (uint32_t i = 0; i < n; i++) {
+		const struct packed *p = &w->packed[i];
+
+		rv = rv ? rv : p->rv;
+		if (!rv)
+			rv = exr_write_scanline_chunk(w->exr, 0, (int)((w->first + i) * LINES), p->data, p->size);
+		free(p->data);
+	}
+	return rv;
+}
+
+static bool make_tools(struct writer *w)
+{
+	w->threads = w->job->pool ? pool_threads(w->job->pool) : 1;
+	w->tool = calloc(w->threads, sizeof(*w->tool));
+	for (uint32_t i = 0; w->tool && i < w->threads; i++)
+		w->tool[i] = (struct tool){ .w = w, .pipe = EXR_ENCODE_PIPELINE_INITIALIZER };
+	return w->tool;
+}
+
+/* While the file is open still. */
+static void free_tools(struct writer *w)
+{
+	for (uint32_t i = 0; w->tool && i < w->threads; i++) {
+		struct tool *t = &w->tool[i];
+
+		if (t->piped)
+			(void)exr_encoding_destroy(w->exr, &t->pipe);
+		free(t->row);
+		free(t->chunk);
+	}
+	free(w->tool);
 }
 
 /* Names must be there and differ: the file lists them sorted. */
@@ -204,6 +302,7 @@ static enum status check_names(const struct image_job *job)
 static exr_result_t write_all(struct writer *w)
 {
 	exr_context_initializer_t init = EXR_DEFAULT_CONTEXT_INITIALIZER;
+	uint32_t count = (w->job->image->height - 1) / LINES + 1;
 	exr_result_t rv, end;
 
 	init.error_handler_fn = on_error;
@@ -214,10 +313,11 @@ static exr_result_t write_all(struct writer *w)
 	if (rv)
 		return rv;
 	rv = add_header(w);
-	for (uint32_t y = 0; y < w->job->image->height && !rv; y += LINES)
-		rv = write_chunk(w, y);
-	if (w->piped)
-		(void)exr_encoding_destroy(w->exr, &w->pipe);
+	if (!rv && !make_tools(w))
+		rv = EXR_ERR_OUT_OF_MEMORY;
+	for (w->first = 0; w->first < count && !rv; w->first += GROUP)
+		rv = write_group(w, count - w->first < GROUP ? count - w->first : GROUP);
+	free_tools(w);
 	end = exr_finish(&w->exr);
 	return rv ? rv : end;
 }
@@ -225,29 +325,22 @@ static exr_result_t write_all(struct writer *w)
 enum status exr_write(const struct image_job *job)
 {
 	struct diag_pos pos = { .file = job->out->path };
-	struct writer w = { .job = job, .pipe = EXR_ENCODE_PIPELINE_INITIALIZER };
-	size_t n = (size_t)job->image->width * job->image->channels;
+	struct writer w = { .job = job };
 	enum status st = check_names(job);
 	exr_result_t rv;
 
 	if (st)
 		return st;
-	w.row = malloc(n * sizeof(*w.row));
-	w.chunk = malloc(mem_product(n, LINES * sizeof(float)));
-	if (w.row && w.chunk) {
-		rv = write_all(&w);
-		if (w.failed)
-			st = STATUS_FAILED;
-		else if (rv)
-			st = diag_fail(job->diag, STATUS_FAILED, &pos,
-				       "cannot write the picture: %s",
-				       exr_get_default_error_message(rv));
-	} else {
-		st = diag_no_memory(job->diag, "rows of a picture", n * LINES * sizeof(float));
-	}
-	free(w.row);
-	free(w.chunk);
-	return st;
+	rv = write_all(&w);
+	if (w.failed)
+		return STATUS_FAILED;
+	if (rv == EXR_ERR_OUT_OF_MEMORY)
+		return diag_no_memory(job->diag, "chunks of a picture",
+				      (uint64_t)job->image->width * job->image->channels * LINES * sizeof(float));
+	if (rv)
+		return diag_fail(job->diag, STATUS_FAILED, &pos, "cannot write the picture: %s",
+				 exr_get_default_error_message(rv));
+	return STATUS_OK;
 }
 
 #else

@@ -33,6 +33,7 @@ struct image_job {
 	const struct image_note *note;
 	uint32_t notes;
 	struct image_out *out;
+	struct pool *pool; /* that compresses; NULL: who calls does */
 	struct diag *diag;
 };
 

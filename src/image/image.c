@@ -112,10 +112,10 @@ enum status image_can_write(const char *path, uint32_t bits, struct diag *diag)
 }
 
 enum status image_write(const struct image *im, const char *path, uint32_t bits,
-			const struct image_note *note, uint32_t notes, struct diag *diag)
+			const struct image_note *note, uint32_t notes, struct pool *pool, struct diag *diag)
 {
 	struct image_out out;
-	struct image_job job = { im, bits, note, notes, &out, diag };
+	struct image_job job = { im, bits, note, notes, &out, pool, diag };
 	const struct format *f;
 	enum status st;
 

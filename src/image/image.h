@@ -31,6 +31,8 @@ struct image {
 	uint32_t bits; /* as stored in the file: 8, 16, 32 (0: no matter) */
 };
 
+struct pool; /* base/pool.h */
+
 /* Name, value pairs stored in PNG (tEXt) and EXR (string attributes). */
 struct image_note {
 	const char *key, *value;
@@ -53,9 +55,10 @@ enum status image_read(struct image *, const char *path, struct mem_book *,
  * get sRGB from linear, EXR and PFM linear from sRGB; alpha is straight in PNG, multiplied in
  * elsewhere. bits: 8 or 16 for PNG and PPM, 16 (half; only colour and alpha, other channels stay
  * float) or 32 for EXR; 0: the format's usual one. Written to a temporary name in the same folder,
- * synced and renamed, so that a reader sees the old picture or the new, whole. */
+ * synced and renamed, so that a reader sees the old picture or the new, whole. PNG and EXR
+ * are compressed by the pool's threads, to the same bytes as by one; NULL: by who calls. */
 enum status image_write(const struct image *, const char *path, uint32_t bits,
-			const struct image_note *, uint32_t notes, struct diag *);
+			const struct image_note *, uint32_t notes, struct pool *, struct diag *);
 /* Before an hour of rendering: is the format known, can the folder be written to? Makes no file. */
 enum status image_can_write(const char *path, uint32_t bits, struct diag *);
 

@@ -5,7 +5,7 @@ src_libalidade_la_SOURCES += \
 	src/image/oiio.c src/image/oiio/io_oiio.h \
 	src/image/jpeg.c \
 	src/image/out.c src/image/out.h \
-	src/image/png.c src/image/png_in.h src/image/png_raw.c src/image/pnm.c \
+	src/image/png.c src/image/png_in.h src/image/png_raw.c src/image/png_strips.c src/image/png_strips.h src/image/pnm.c \
 	src/image/raw.c src/image/raw.h src/image/samples.c src/image/srgb_table.h
 
 # The one piece of C++: never linked to the library, see io_oiio.h.

@@ -104,7 +104,7 @@ static void test_truncated(void **state)
 		size_t n;
 
 		fixture_image(f, &im, 9, 40, 3);
-		assert_int_equal(image_write(&im, path, 0, NULL, 0, &f->diag), STATUS_OK);
+		assert_int_equal(image_write(&im, path, 0, NULL, 0, NULL, &f->diag), STATUS_OK);
 		image_release(&im);
 		data = fixture_load(path, &n);
 		for (size_t i = 0; i < n; i += 1 + i / 50) {
@@ -131,7 +131,7 @@ static void test_mutated(void **state)
 		size_t n;
 
 		fixture_image(f, &im, 9, 20, 3);
-		assert_int_equal(image_write(&im, path, 0, NULL, 0, &f->diag), STATUS_OK);
+		assert_int_equal(image_write(&im, path, 0, NULL, 0, NULL, &f->diag), STATUS_OK);
 		image_release(&im);
 		data = fixture_load(path, &n);
 		for (int i = 0; i < 300; i++) {
@@ -165,7 +165,7 @@ static void test_limits(void **state)
 		struct image im;
 
 		fixture_image(f, &im, 9, 40, 3);
-		assert_int_equal(image_write(&im, path, 0, NULL, 0, &f->diag), STATUS_OK);
+		assert_int_equal(image_write(&im, path, 0, NULL, 0, NULL, &f->diag), STATUS_OK);
 		image_release(&im);
 		refused(f, path, &pixels, "claims 9 x 40 pixels");
 		refused(f, path, &bytes, "MiB");
@@ -199,7 +199,7 @@ static void test_full_disk(void **state)
 		fixture_store(path, "old", 3);
 		f->messages = 0;
 		assert_int_equal(setrlimit(RLIMIT_FSIZE, &small), 0);
-		assert_int_equal(image_write(&im, path, 0, NULL, 0, &f->diag), STATUS_FAILED);
+		assert_int_equal(image_write(&im, path, 0, NULL, 0, NULL, &f->diag), STATUS_FAILED);
 		assert_int_equal(setrlimit(RLIMIT_FSIZE, &old), 0);
 		assert_int_equal(f->messages, 1);
 		assert_non_null(strstr(f->text, "File too large"));
@@ -228,7 +228,7 @@ static void test_device(void **state)
 
 		assert_int_equal(symlink("/dev/full", path), 0);
 		f->messages = 0;
-		assert_int_equal(image_write(&im, path, 0, NULL, 0, &f->diag), STATUS_FAILED);
+		assert_int_equal(image_write(&im, path, 0, NULL, 0, NULL, &f->diag), STATUS_FAILED);
 		assert_int_equal(f->messages, 1);
 		assert_non_null(strstr(f->text, "No space left"));
 		assert_int_equal(lstat(path, &st), 0);
@@ -252,7 +252,7 @@ static void test_link(void **state)
 	assert_int_equal(chmod(real, 0600), 0);
 	assert_int_equal(symlink("real.png", path), 0);
 	fixture_image(f, &im, 5, 5, 3);
-	assert_int_equal(image_write(&im, path, 0, NULL, 0, &f->diag), STATUS_OK);
+	assert_int_equal(image_write(&im, path, 0, NULL, 0, NULL, &f->diag), STATUS_OK);
 	image_release(&im);
 	assert_int_equal(lstat(path, &st), 0);
 	assert_true(S_ISLNK(st.st_mode));
@@ -273,7 +273,7 @@ static void cannot(struct fixture *f, const char *path, uint32_t bits, enum stat
 	assert_int_equal(f->messages, 1);
 	if (!strstr(f->text, words))
 		fail_msg("\"%s\" does not say \"%s\"", f->text, words);
-	assert_int_equal(image_write(&im, path, bits, NULL, 0, &f->diag), want);
+	assert_int_equal(image_write(&im, path, bits, NULL, 0, NULL, &f->diag), want);
 	assert_int_equal(fixture_count(f), files);
 	image_release(&im);
 }

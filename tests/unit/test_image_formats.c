@@ -11,6 +11,7 @@
 
 #include "image_fixture.h"
 
+#include "base/pool.h"
 #include "base/rng.h"
 #include "image/half.h"
 #include "image/srgb_table.h"
@@ -26,7 +27,7 @@ static void write_and_read(struct fixture *f, const struct image *im, const char
 {
 	const char *path = fixture_path(f, 0, name);
 
-	if (image_write(im, path, bits, NULL, 0, &f->diag))
+	if (image_write(im, path, bits, NULL, 0, NULL, &f->diag))
 		fail_msg("%s", f->text);
 	if (image_read(back, path, &f->book, NULL, &f->diag))
 		fail_msg("%s", f->text);
@@ -108,7 +109,7 @@ static void test_float_formats(void **state)
 		im.pixel[5] = -0.0f;
 #ifndef HAVE_OPENEXR
 		if (k == 1) {
-			assert_int_equal(image_write(&im, "a.exr", 0, NULL, 0, &f->diag),
+			assert_int_equal(image_write(&im, "a.exr", 0, NULL, 0, NULL, &f->diag),
 					 STATUS_USAGE);
 			image_release(&im);
 			continue;
@@ -209,11 +210,11 @@ static void test_exr_names(void **state)
 
 	fixture_image(f, &im, 4, 4, 3);
 	strcpy(im.name[2], "R");
-	assert_int_equal(image_write(&im, fixture_path(f, 0, "a.exr"), 0, NULL, 0, &f->diag),
+	assert_int_equal(image_write(&im, fixture_path(f, 0, "a.exr"), 0, NULL, 0, NULL, &f->diag),
 			 STATUS_FAILED);
 	assert_non_null(strstr(f->text, "two channels of the picture are named \"R\""));
 	im.name[2][0] = '\0';
-	assert_int_equal(image_write(&im, f->path[0], 0, NULL, 0, &f->diag), STATUS_FAILED);
+	assert_int_equal(image_write(&im, f->path[0], 0, NULL, 0, NULL, &f->diag), STATUS_FAILED);
 	assert_non_null(strstr(f->text, "channel 3 of the picture has no name"));
 	assert_int_equal(fixture_count(f), 0);
 	image_release(&im);
@@ -242,7 +243,7 @@ static void test_alpha(void **state)
 	f->messages = 0;
 	write_and_read(f, &back, "a.png", 16, &im);
 	image_release(&im);
-	assert_int_equal(image_write(&back, fixture_path(f, 1, "b.ppm"), 16, NULL, 0, &f->diag),
+	assert_int_equal(image_write(&back, fixture_path(f, 1, "b.ppm"), 16, NULL, 0, NULL, &f->diag),
 			 STATUS_OK);
 	assert_int_equal(image_read(&im, f->path[1], &f->book, NULL, &f->diag), STATUS_OK);
 	assert_int_equal(f->messages, 0);
@@ -271,7 +272,7 @@ static void test_left_out(void **state)
 	assert_float_equal(back.pixel[0], (float)srgb_exact((double)im.pixel[3]), 0.00197f);
 	image_release(&back);
 	strcpy(im.name[3], "X");
-	assert_int_equal(image_write(&im, f->path[0], 8, NULL, 0, &f->diag), STATUS_FAILED);
+	assert_int_equal(image_write(&im, f->path[0], 8, NULL, 0, NULL, &f->diag), STATUS_FAILED);
 	assert_non_null(strstr(f->text, "neither the channels R, G and B nor Y"));
 	image_release(&im);
 }
@@ -294,14 +295,14 @@ static void test_notes(void **state)
 			break;
 #endif
 		assert_int_equal(
-			image_write(&im, fixture_path(f, 0, name[k]), 0, note, 3, &f->diag),
+			image_write(&im, fixture_path(f, 0, name[k]), 0, note, 3, NULL, &f->diag),
 			STATUS_OK);
 		data = fixture_load(f->path[0], &n);
 		assert_non_null(memmem(data, n, "octree:leaf=4", 13));
 		assert_non_null(memmem(data, n, "Gr\xc3\xbc\xc3\x9f" "e", 7));
 		assert_null(memmem(data, n, "tIME", 4));
 		/* The same picture gives the same bytes. */
-		assert_int_equal(image_write(&im, f->path[0], 0, note, 3, &f->diag), STATUS_OK);
+		assert_int_equal(image_write(&im, f->path[0], 0, note, 3, NULL, &f->diag), STATUS_OK);
 		again = fixture_load(f->path[0], &m);
 		assert_int_equal(n, m);
 		assert_memory_equal(data, again, n);
@@ -359,11 +360,65 @@ static void test_srgb_bytes(void **state)
 	image_release(&im);
 }
 
+static void same_bytes(const char *a, const char *b)
+{
+	FILE *x = fopen(a, "rb"), *y = fopen(b, "rb");
+	int c;
+
+	assert_non_null(x);
+	assert_non_null(y);
+	while ((c = getc(x)) == getc(y) && c != EOF)
+		;
+	assert_true(c == EOF && feof(x) && feof(y));
+	fclose(x);
+	fclose(y);
+}
+
+/* Strips and chunks, more of them than are held at once, give the same file whoever makes them. */
+static void test_threads(void **state)
+{
+	static const struct {
+		const char *name[2];
+		uint32_t bits, width, height;
+		double error;
+	} cases[] = {
+		{ { "a.png", "b.png" }, 16, 900, 1111, 0.5 / 65535 },
+		{ { "a.png", "b.png" }, 8, 50000, 3, 0.5 / 255 }, /* a strip is a row */
+		{ { "a.png", "b.png" }, 8, 1, 1, 0.5 / 255 },
+#ifdef HAVE_OPENEXR
+		{ { "a.exr", "b.exr" }, 32, 100, 1111, 0 },
+#endif
+	};
+	struct fixture *f = *state;
+	struct pool *pool = pool_new(3);
+
+	assert_non_null(pool);
+	for (size_t k = 0; k < sizeof(cases) / sizeof(*cases); k++) {
+		const char *alone = fixture_path(f, 0, cases[k].name[0]), *all = fixture_path(f, 1, cases[k].name[1]);
+		size_t n = (size_t)cases[k].width * cases[k].height * 3;
+		struct image im, back;
+
+		fixture_image(f, &im, cases[k].width, cases[k].height, 3);
+		im.encoding = cases[k].bits == 32 ? IMAGE_LINEAR : IMAGE_SRGB;
+		for (size_t i = 0; i < n; i += 7) /* not only a ramp */
+			im.pixel[i] = 1 - im.pixel[i];
+		assert_int_equal(image_write(&im, alone, cases[k].bits, NULL, 0, NULL, &f->diag), STATUS_OK);
+		assert_int_equal(image_write(&im, all, cases[k].bits, NULL, 0, pool, &f->diag), STATUS_OK);
+		same_bytes(alone, all);
+		assert_int_equal(image_read(&back, all, &f->book, NULL, &f->diag), STATUS_OK);
+		for (size_t i = 0; i < n; i++)
+			assert_true(fabs((double)back.pixel[i] - (double)im.pixel[i]) <= cases[k].error * 1.001);
+		image_release(&im);
+		image_release(&back);
+	}
+	pool_free(pool);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 #define T(name) cmocka_unit_test_setup_teardown(name, fixture_setup, fixture_teardown)
-		T(test_integer_formats), T(test_srgb_is_kept), T(test_float_formats),
+		T(test_integer_formats), T(test_srgb_is_kept), T(test_float_formats), T(test_threads),
 #ifdef HAVE_OPENEXR
 		T(test_exr_layers), T(test_exr_half), T(test_exr_incompressible), T(test_exr_names),
 #endif

@@ -183,7 +183,7 @@ static void test_floats(void **state)
 	struct image im;
 
 	fixture_image(f, &im, WIDTH, HEIGHT, 3);
-	assert_int_equal(image_write(&im, path, 32, NULL, 0, &f->diag), STATUS_OK);
+	assert_int_equal(image_write(&im, path, 32, NULL, 0, NULL, &f->diag), STATUS_OK);
 	read_good(f, &raw, path);
 	assert_int_equal(raw.depth, IMAGE_FLOAT);
 	assert_memory_equal(raw.sample, im.pixel, sizeof(float) * WIDTH * HEIGHT * 3);
@@ -196,7 +196,7 @@ static void test_floats(void **state)
 		strcpy(im.name[i], (const char *[]){ "Depth.Z", "A", "B", "G", "R" }[i]);
 	im.premultiplied = true;
 	path = fixture_path(f, 0, "a.exr");
-	assert_int_equal(image_write(&im, path, 32, NULL, 0, &f->diag), STATUS_OK);
+	assert_int_equal(image_write(&im, path, 32, NULL, 0, NULL, &f->diag), STATUS_OK);
 	read_good(f, &raw, path);
 	assert_int_equal(raw.channels, 4);
 	assert_true(raw.premultiplied);

@@ -124,7 +124,7 @@ static enum status average(struct trade *t, void *arg, void *out)
 	*noise = r.rms / 2;
 	for (size_t i = 0; i < (size_t)image[0].width * image[0].height * image[0].channels; i++)
 		image[0].pixel[i] = 0.5f * image[0].pixel[i] + 0.5f * image[1].pixel[i];
-	return image_write(&image[0], av->out, 0, NULL, 0, &t->diag);
+	return image_write(&image[0], av->out, 0, NULL, 0, NULL, &t->diag);
 }
 
 enum status trade_average(struct trade *t, const char *a, const char *b, const char *out, double *noise)

@@ -65,6 +65,8 @@ struct block { /* of a leaf */
 
 struct isa; /* the walk, compiled for an instruction set */
 
+#define MASKS 8u /* different ones of primitives that are noted */
+
 struct ald_accel {
 	const ald_host *host;
 	const ald_prims *prims;
@@ -78,6 +80,7 @@ struct ald_accel {
 	int herds; /* where rays go together, so do they */
 	int hasty; /* it was built fast */
 	int far; /* the tree is larger than a cache; 2: far larger */
+	uint32_t mask[MASKS], masks; /* that primitives have; 0: nobody looked, or too many */
 	int fast; /* ALD_PRECISION_FAST: no bounds, and floats have the last word */
 	double centre[3], scale; /* to X */
 	ald_box box; /* around the primitives, grown (R4) */

@@ -75,12 +75,29 @@ static __attribute__((noinline)) void walk_counted(const ald_accel *a, struct so
 #define SCATTERED_STEP 31u
 #define SCATTERED_FAR 0.25
 
+/* Do these rays see all primitives, so that no mask has to be looked at? */
+V int see_all(const ald_accel *a, const struct batch *b, const uint16_t *order, uint32_t first, uint32_t from,
+	      uint32_t end)
+{
+	if (!a->prims->mask)
+		return 1;
+	for (; a->masks && from < end; from++) {
+		uint32_t mask = b->ray[order ? first + order[from] : from].mask;
+
+		for (uint32_t k = 0; k < a->masks; k++) {
+			if (!(a->mask[k] & mask))
+				return 0;
+		}
+	}
+	return from == end;
+}
+
 /* Rays that go alone: first + order[i], or i where there is none, from <= i < end. */
 V void serve_alone(const ald_accel *a, ald_query *q, const struct batch *b, const uint16_t *order, uint32_t first,
 		   uint32_t from, uint32_t end, int any)
 {
 #if ISA_LEVEL >= 2
-	if (!a->fast && !a->frame.exact && !a->prims->mask) {
+	if (!a->fast && !a->frame.exact && see_all(a, b, order, first, from, end)) {
 		for (; from < end; from += RIDE_RUN)
 			serve_ride(a, q, b, order, first, from, end - from < RIDE_RUN ? end : from + RIDE_RUN, any);
 		return;

@@ -93,6 +93,46 @@ static void same_hits(const char *mesh, const char *spec, struct mesh *m)
 	free(ray);
 }
 
+/* Rays that see all there is go another way than those that do not, and whole batches do: of many sorts of primitives,
+ * more than are noted. */
+static void test_masks(void **state)
+{
+	static const uint32_t sorts[] = { 1, 3, 8, 9 }, seen[][2] = {
+		{ 7, 7 }, { 3, 3 }, { 3, 7 }, { 0, 0 }, { 7, 0 }, { UINT32_MAX, UINT32_MAX }, { UINT32_MAX, 1 },
+	};
+	struct accel *none = malloc(sizeof(*none)), *other = malloc(sizeof(*other));
+	ald_ray *ray = malloc(BATCH * sizeof(*ray));
+	struct mesh m = { 0 };
+	struct test_host h;
+
+	(void)state;
+	mesh_soup(&m, 500, 1, 1, 11);
+	mesh_finish(&m, false, true, false);
+	test_host_init(&h, 1, 0);
+	for (unsigned k = 0; k < 4; k++) {
+		for (uint32_t i = 0; i < m.prims.count; i++)
+			m.mask[i] = 1u << i % sorts[k];
+		accel_open(none, "none", &h, &m);
+		accel_open(other, "bvh8", &h, &m);
+		for (unsigned j = 0; j < sizeof(seen) / sizeof(seen[0]); j++) {
+			for (uint32_t i = 0; i < BATCH; i++) {
+				ray_make(&m, 1, i, &ray[i]);
+				ray[i].mask = seen[j][i % 701 == 700];
+			}
+			ask(none, ray, BATCH, ASK_ALL, 0);
+			ask(other, ray, BATCH, ASK_ALL, 0);
+			compare("soup of many sorts", "bvh8", none, other, ray, BATCH);
+		}
+		accel_close(other);
+		accel_close(none);
+	}
+	test_host_release(&h);
+	mesh_release(&m);
+	free(none);
+	free(other);
+	free(ray);
+}
+
 /* From beside a triangle to its middle. */
 static void aim_at(const struct mesh *m, uint32_t id, ald_ray *r)
 {
@@ -260,6 +300,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_threads),
+		cmocka_unit_test(test_masks),
 		cmocka_unit_test(test_small_in_large),
 		cmocka_unit_test(test_sizes),
 		cmocka_unit_test(test_fast_extremes),

@@ -8,14 +8,41 @@
 #ifndef BVH8_SOLO_H
 #define BVH8_SOLO_H
 
-#include "bvh8_beam.h"
+#include "bvh8_lone.h"
+
+struct slopes { /* of a path, for eight children */
+	f8 ix, iy, iz, nx, ny, nz, fx, fy, fz;
+};
+
+V struct slopes slopes_of(const struct beam *b)
+{
+	return (struct slopes){ f8_all(b->inverse[0]), f8_all(b->inverse[1]), f8_all(b->inverse[2]),
+				f8_all(b->near_o[0]),  f8_all(b->near_o[1]),  f8_all(b->near_o[2]),
+				f8_all(b->far_o[0]),   f8_all(b->far_o[1]),   f8_all(b->far_o[2]) };
+}
+
+/* What a block may hold. line: of a ray that asks for itself; NULL: the batch asks. */
+V void solo_meet(const ald_accel *a, const struct batch *s, struct asked *q, const struct line *line, struct beam *b,
+		 const struct block *n, struct meeting *m, int any)
+{
+	if (a->fast) {
+		beam_meet_fast(a, b, n, m, any);
+		return;
+	}
+#if ISA_LEVEL >= 2
+	if (line) {
+		lone_meet(a, line, b, n, m, any);
+		return;
+	}
+#endif
+	(void)line;
+	beam_meet(a, s, q, b, n, m, any);
+}
 
 /* From the root to where nothing is left to be seen. */
-V void solo_on(const ald_accel *a, const struct batch *s, struct asked *q, ald_query *query, struct beam *b, int any)
+V void solo_on(const ald_accel *a, const struct batch *s, struct asked *q, ald_query *query, const struct line *line,
+	       const struct slopes *p, struct beam *b, int any)
 {
-	const f8 ix = f8_all(b->inverse[0]), iy = f8_all(b->inverse[1]), iz = f8_all(b->inverse[2]);
-	const f8 nx = f8_all(b->near_o[0]), ny = f8_all(b->near_o[1]), nz = f8_all(b->near_o[2]);
-	const f8 fx = f8_all(b->far_o[0]), fy = f8_all(b->far_o[1]), fz = f8_all(b->far_o[2]);
 	const size_t x = b->near[0] * sizeof(a->node->plane[0]), y = b->near[1] * sizeof(a->node->plane[0]);
 	const size_t z = b->near[2] * sizeof(a->node->plane[0]), other = sizeof(a->node->plane[0]);
 	f8 tfar = f8_all(b->tfar);
@@ -24,13 +51,13 @@ V void solo_on(const ald_accel *a, const struct batch *s, struct asked *q, ald_q
 	for (;;) {
 		while (ref < REF_LEAF) {
 			const struct node *n = &a->node[ref];
-			const char *p = (const char *)n;
-			f8 t0 = f8_mul_add(f8_load((const float *)(p + x)), ix, nx);
-			f8 y0 = f8_mul_add(f8_load((const float *)(p + y)), iy, ny);
-			f8 z0 = f8_mul_add(f8_load((const float *)(p + z)), iz, nz);
-			f8 t1 = f8_mul_add(f8_load((const float *)(p + (x ^ other))), ix, fx);
-			f8 y1 = f8_mul_add(f8_load((const float *)(p + (y ^ other))), iy, fy);
-			f8 z1 = f8_mul_add(f8_load((const float *)(p + (z ^ other))), iz, fz);
+			const char *at = (const char *)n;
+			f8 t0 = f8_mul_add(f8_load((const float *)(at + x)), p->ix, p->nx);
+			f8 y0 = f8_mul_add(f8_load((const float *)(at + y)), p->iy, p->ny);
+			f8 z0 = f8_mul_add(f8_load((const float *)(at + z)), p->iz, p->nz);
+			f8 t1 = f8_mul_add(f8_load((const float *)(at + (x ^ other))), p->ix, p->fx);
+			f8 y1 = f8_mul_add(f8_load((const float *)(at + (y ^ other))), p->iy, p->fy);
+			f8 z1 = f8_mul_add(f8_load((const float *)(at + (z ^ other))), p->iz, p->fz);
 			float enter[WIDTH] __attribute__((aligned(32)));
 			uint32_t in, i, j;
 
@@ -80,10 +107,7 @@ V void solo_on(const ald_accel *a, const struct batch *s, struct asked *q, ald_q
 				block_meet(a, &b->aim, n, b->ray, &m, 1);
 				if (!m.maybe)
 					continue;
-				if (a->fast)
-					beam_meet_fast(a, b, n, &m, any);
-				else
-					beam_meet(a, s, q, b, n, &m, any);
+				solo_meet(a, s, q, line, b, n, &m, any);
 				if (any && b->found)
 					return;
 			}
@@ -102,8 +126,68 @@ pop:
 /* To its end. */
 V void solo_walk(const ald_accel *a, const struct batch *s, struct asked *asked, ald_query *q, struct beam *b, int any)
 {
-	solo_on(a, s, asked, q, b, any);
+	const struct slopes p = slopes_of(b);
+
+	solo_on(a, s, asked, q, NULL, &p, b, any);
 	beam_end(a, s, asked, b, any);
 }
+
+#if ISA_LEVEL >= 2
+V f8 f8_lane(f4 a, int k)
+{
+	return _mm256_permutevar8x32_ps(_mm256_castps128_ps256(a), _mm256_set1_epi32(k));
+}
+
+V struct slopes slopes_lone(const struct path *p)
+{
+	return (struct slopes){ f8_lane(p->inverse, 0), f8_lane(p->inverse, 1), f8_lane(p->inverse, 2),
+				f8_lane(p->near_o, 0),	f8_lane(p->near_o, 1),	f8_lane(p->near_o, 2),
+				f8_lane(p->far_o, 0),	f8_lane(p->far_o, 1),	f8_lane(p->far_o, 2) };
+}
+
+/* Ray i of a batch, from the call to the answer. */
+V void lone_serve(const ald_accel *a, ald_query *q, const struct batch *s, uint32_t i, int any)
+{
+	const ald_ray *r = &s->ray[i];
+	ald_hit own;
+	struct slopes slopes;
+	struct path path;
+	struct line line;
+	struct beam b;
+	enum lone is;
+
+	if (any)
+		own.t = r->tmax, own.prim = ALD_NONE;
+	b.hit = any ? &own : &s->hit[i];
+	is = lone_begin(a, r, b.hit->t, &line, &path, &b);
+	if (is == LONE_MISSES)
+		return;
+	b.found = 0;
+	if (is == LONE_ODD) {
+		b.found = beam_odd(a, q, r, b.hit, any) != 0;
+	} else {
+		b.pending = b.asked = 0;
+		b.ray = r;
+		b.way = ORDER_TURNED ^ path.down;
+		UNROLL
+		for (unsigned k = 0; k < 3; k++)
+			b.near[k] = 2 * k + (path.down >> k & 1);
+		b.enter[0] = -INFINITY;
+		b.below[0] = DONE;
+		slopes = slopes_lone(&path);
+		solo_on(a, s, NULL, q, &line, &slopes, &b, any);
+		if (any || !a->frame.exact || !beam_certain(&b))
+			lone_settle(a, &line, &b, any);
+	}
+	if (any)
+		s->hidden[i] = (uint8_t)b.found;
+}
+
+static __attribute__((noinline)) void serve_lone(const ald_accel *a, ald_query *q, const struct batch *s, int any)
+{
+	for (uint32_t i = 0; i < s->n; i++)
+		lone_serve(a, q, s, i, any);
+}
+#endif
 
 #endif

@@ -71,6 +71,8 @@ static __attribute__((noinline)) void walk_counted(const ald_accel *a, struct so
 
 /* ---- a batch ---- */
 
+/* Batches of as many rays at most are not worth a crew: one ray after another. */
+#define LONE_MOST 12u
 /* Of batches, which pairs of neighbours are looked at, and what is far, of scenes of size 2. */
 #define SCATTERED_STEP 31u
 #define SCATTERED_FAR 0.25
@@ -184,10 +186,22 @@ V void serve(const ald_accel *a, ald_query *q, const struct batch *b, int any)
 
 	if (a->root == EMPTY || !b->n)
 		return;
+#if ISA_LEVEL >= 2
+	if (b->n <= LONE_MOST && !q->count && !a->fast) {
+		serve_lone(a, q, b, any);
+		return;
+	}
+#endif
 	if (b->n > 1 && a->interleave > 1 && !q->count) {
 		serve_many(a, q, b, any);
 		return;
 	}
+#if ISA_LEVEL >= 2
+	if (!q->count && !a->fast) {
+		serve_lone(a, q, b, any);
+		return;
+	}
+#endif
 	source_open(&s, q, b, NULL, 0, 0, b->n);
 	while (source_next(a, &s, &beam, any)) {
 		if (q->count)

@@ -24,10 +24,12 @@ static bool load_accel(struct engine *e)
 	const char *at = strchr(e->name, '@');
 	char plain[sizeof(e->name)];
 
+	e->one = at && strstr(at, "@one");
+
 	snprintf(plain, sizeof(plain), "%.*s", at ? (int)(at - e->name) : 95, e->name);
-	e->precision = at && !strcmp(at, "@exact") ? ALD_PRECISION_EXACT :
-		       at && !strcmp(at, "@fast")  ? ALD_PRECISION_FAST :
-						     ALD_PRECISION_DEFAULT;
+	e->precision = at && strstr(at, "@exact") ? ALD_PRECISION_EXACT :
+		       at && strstr(at, "@fast")  ? ALD_PRECISION_FAST :
+						    ALD_PRECISION_DEFAULT;
 	if (accel_load(&e->choice, plain, &d) == STATUS_OK && (e->choice.plugin->precisions & e->precision))
 		return true;
 	fprintf(stderr, "rays: no accelerator %s, or not of that precision\n", e->name);
@@ -184,6 +186,24 @@ struct volley {
 	ald_hit *out; /* NULL: nobody wants them */
 };
 
+/* Ray by ray. */
+static void fire_one(const struct engine *e, uint32_t thread, ald_query *q, const ald_ray *ray, ald_hit *hit,
+		     uint8_t *hidden, uint32_t n)
+{
+	const ald_accel_plugin *p = e->choice.plugin;
+
+	for (uint32_t j = 0; j < n; j++) {
+		if (e->geometry && hidden)
+			forest_occluded(e->geometry, thread, &ray[j], &hidden[j], 1, 0);
+		else if (e->geometry)
+			forest_nearest(e->geometry, thread, &ray[j], &hit[j], 1, 0);
+		else if (hidden)
+			hidden[j] = (uint8_t)p->occluded(e->it, q, &ray[j]);
+		else
+			p->intersect(e->it, q, &ray[j], &hit[j]);
+	}
+}
+
 static void fire_batch(void *arg, uint32_t i, uint32_t thread)
 {
 	const struct volley *v = arg;
@@ -204,6 +224,8 @@ static void fire_batch(void *arg, uint32_t i, uint32_t thread)
 	}
 	if (e->peer)
 		peer_fire(e->tree, e->way, ray, hit, any ? hidden : NULL, n, hints);
+	else if (e->one)
+		fire_one(e, thread, &q, ray, hit, any ? hidden : NULL, n);
 	else if (e->geometry && any)
 		forest_occluded(e->geometry, thread, ray, hidden, n, hints);
 	else if (e->geometry)

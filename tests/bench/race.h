@@ -18,7 +18,7 @@ struct engine {
 	char name[96];
 	struct accel_choice choice;
 	uint32_t precision;
-	bool peer;
+	bool peer, one; /* one: ray by ray */
 	ald_accel *it; /* not a peer's */
 	struct geometry *geometry; /* instead of it, of a forest */
 	ald_query q[THREADS];

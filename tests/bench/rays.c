@@ -16,9 +16,9 @@
  *	-j FILE		everything as JSON
  *
  * An engine is as alidade -a has it (with @exact or @fast behind it, it is asked for that precision, and in exact
- * order what the host has to do is done too); or Embree's own calls without any of Alidade, as peers.h names them;
- * or "peers": all ways to call it are tried, and the best of each kind of ray race. Without engines: bvh8 peers.
- * Ratios, wrong answers and verdicts are the first one's.
+ * order what the host has to do is done too; with @one, it is called for each ray); or Embree's own calls without any
+ * of Alidade, as peers.h names them; or "peers": all ways to call it are tried, and the best of each kind of ray race.
+ * Without engines: bvh8 peers. Ratios, wrong answers and verdicts are the first one's.
  */
 #ifdef HAVE_CONFIG_H
 #include <config.h>

@@ -177,31 +177,52 @@ struct due { /* of a lot, pairs that are to be decided once what they need has b
 	const struct lines *lines;
 	uint64_t some; /* lanes */
 	uint32_t axis[3]; /* kx, ky, kz of all */
-	uint32_t id[LOT] __attribute__((aligned(64))), ray[LOT], corner[3][LOT];
+	uint32_t id[LOT] __attribute__((aligned(64))), ray[LOT], corner[3][LOT]; /* corners always are some */
 } __attribute__((aligned(64)));
 
 #if ISA_LEVEL >= 3
-V void corners_gather(struct corners *c, const ald_prims *p, const struct due *d, unsigned at, uint32_t row)
+/* x, y and z of eight corners, as doubles, and as floats; nothing behind them is read. */
+V void corners_doubles(const double *vertex, const uint32_t *corner, dv out[3])
 {
-	__mmask8 m = (__mmask8)row;
+	const __m512i x = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13), z = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+	dv row[4], even[2], odd[2];
 
 	UNROLL
-	for (unsigned i = 0; i < 3; i++) {
-		__m512i v = _mm512_cvtepu32_epi64(_mm256_load_si256((const __m256i *)&d->corner[i][at]));
+	for (unsigned i = 0; i < 4; i++) {
+		__m256d lo = _mm256_maskz_loadu_pd(7, vertex + 3 * (size_t)corner[i]);
+		__m256d hi = _mm256_maskz_loadu_pd(7, vertex + 3 * (size_t)corner[i + 4]);
 
-		v = _mm512_add_epi64(v, _mm512_slli_epi64(v, 1));
-		UNROLL
-		for (unsigned k = 0; k < 3; k++) {
-			dv x;
-
-			if (p->vertex_double)
-				x = _mm512_mask_i64gather_pd(dv_all(0), m, v, (const double *)p->vertex + k, 8);
-			else
-				x = _mm512_cvtps_pd(_mm512_mask_i64gather_ps(_mm256_setzero_ps(), m, v,
-									     (const float *)p->vertex + k, 4));
-			dv_store(c->v[i][k], x);
-		}
+		row[i] = _mm512_insertf64x4(_mm512_castpd256_pd512(lo), hi, 1);
 	}
+	UNROLL
+	for (unsigned i = 0; i < 2; i++) {
+		even[i] = _mm512_unpacklo_pd(row[2 * i], row[2 * i + 1]);
+		odd[i] = _mm512_unpackhi_pd(row[2 * i], row[2 * i + 1]);
+	}
+	out[0] = _mm512_permutex2var_pd(even[0], x, even[1]);
+	out[1] = _mm512_permutex2var_pd(odd[0], x, odd[1]);
+	out[2] = _mm512_permutex2var_pd(even[0], z, even[1]);
+}
+
+V void corners_floats(const float *vertex, const uint32_t *corner, dv out[3])
+{
+	__m256 row[4], even[2], odd[2];
+
+	UNROLL
+	for (unsigned i = 0; i < 4; i++) {
+		__m128 lo = _mm_maskz_loadu_ps(7, vertex + 3 * (size_t)corner[i]);
+		__m128 hi = _mm_maskz_loadu_ps(7, vertex + 3 * (size_t)corner[i + 4]);
+
+		row[i] = _mm256_insertf128_ps(_mm256_castps128_ps256(lo), hi, 1);
+	}
+	UNROLL
+	for (unsigned i = 0; i < 2; i++) {
+		even[i] = _mm256_unpacklo_ps(row[2 * i], row[2 * i + 1]);
+		odd[i] = _mm256_unpackhi_ps(row[2 * i], row[2 * i + 1]);
+	}
+	out[0] = _mm512_cvtps_pd(_mm256_shuffle_ps(even[0], even[1], 0x44));
+	out[1] = _mm512_cvtps_pd(_mm256_shuffle_ps(even[0], even[1], 0xee));
+	out[2] = _mm512_cvtps_pd(_mm256_shuffle_ps(odd[0], odd[1], 0x44));
 }
 #endif
 
@@ -209,10 +230,19 @@ V void corners_gather(struct corners *c, const ald_prims *p, const struct due *d
 V void due_corners(struct corners *c, const ald_prims *p, const struct due *d, unsigned at, uint32_t row)
 {
 #if ISA_LEVEL >= 3
-	if (!p->origin) {
-		corners_gather(c, p, d, at, row);
-		return;
+	for (unsigned i = 0; i < 3 && !p->origin; i++) {
+		dv v[3];
+
+		if (p->vertex_double)
+			corners_doubles(p->vertex, d->corner[i] + at, v);
+		else
+			corners_floats(p->vertex, d->corner[i] + at, v);
+		UNROLL
+		for (unsigned k = 0; k < 3; k++)
+			dv_store(c->v[i][k], v[k]);
 	}
+	if (!p->origin)
+		return;
 #endif
 	for (; row; row &= row - 1)
 		corners_set(c, (unsigned)__builtin_ctz(row), p, d->id[at + (unsigned)__builtin_ctz(row)]);

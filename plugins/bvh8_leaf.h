@@ -68,9 +68,9 @@ V void herd_hull(struct herd *h, float pad)
 	}
 }
 
-/* What triangles want to know of a ray, in fours. See struct aim for all of these. */
-enum { AIM_OX, AIM_OY, AIM_OZ, AIM_ZFAR, AIM_SX, AIM_SY, AIM_ZERROR, AIM_BEFORE, AIM_SURE_LO, AIM_SURE_HI, AIM_PAD,
-       AIM_BACK, AIM_SKIP, AIM_DEPTH, AIM_BEST, AIM_ID };
+/* What triangles want to know of a ray, in fours; the last of these change as it meets some. See struct aim. */
+enum { AIM_OX, AIM_OY, AIM_OZ, AIM_DEPTH, AIM_SX, AIM_SY, AIM_ZERROR, AIM_BEFORE, AIM_SURE_LO, AIM_SURE_HI, AIM_SKIP,
+       AIM_BACK, AIM_TFAR, AIM_BEST, AIM_ID, AIM_ZFAR };
 
 static __attribute__((noinline)) void herd_aims(const ald_accel *a, struct herd *h, const struct batch *s)
 {
@@ -82,20 +82,20 @@ static __attribute__((noinline)) void herd_aims(const ald_accel *a, struct herd 
 	for (unsigned i = 0; i < h->size; i++)
 		memcpy(&skip[i], &s->ray[l->index[i]].skip, sizeof(*skip));
 	for (unsigned i = 0; i < h->size; i += 8) {
-		f8 depth = f8_load(l->depth + i), pad = f8_load(l->pad + i), near, far, zerror, zfar, t;
+		f8 depth = f8_load(l->depth + i), tfar = f8_load(l->tfar + i), near, far, zerror, zfar, t;
 
-		zerror = a->fast ? f8_all(0) : f8_mul_add(pad, f8_all(DEPTH_PAD), tiny);
-		zfar = f8_mul_add(f8_load(l->tfar + i), depth, f8_add(zerror, f8_all(a->fast ? 0 : DEPTH_ERROR)));
+		zerror = a->fast ? f8_all(0) : f8_mul_add(f8_load(l->pad + i), f8_all(DEPTH_PAD), tiny);
+		zfar = f8_mul_add(tfar, depth, f8_add(zerror, f8_all(a->fast ? 0 : DEPTH_ERROR)));
 		f8_rows(h->aim + i, AIM_OX, f8_load(l->o[h->axis[0]] + i), f8_load(l->o[h->axis[1]] + i),
-			f8_mul(f8_load(l->o[h->axis[2]] + i), side), zfar);
+			f8_mul(f8_load(l->o[h->axis[2]] + i), side), depth);
 		near = f8_mul(f8_load(l->first + i), depth);
 		t = f8_mul(f8_size(near), tiny);
 		f8_rows(h->aim + i, AIM_SX, f8_load(l->shear[0] + i), f8_load(l->shear[1] + i), zerror,
 			f8_sub(near, t));
 		far = f8_mul(f8_load(l->last + i), depth);
-		f8_rows(h->aim + i, AIM_SURE_LO, f8_add(near, t), f8_sub(far, f8_mul(f8_size(far), tiny)), pad,
-			f8_mul(f8_load(l->inverse[h->axis[2]] + i), side));
-		f8_rows(h->aim + i, AIM_SKIP, f8_load(skip + i), depth, f8_all(INFINITY), depth);
+		f8_rows(h->aim + i, AIM_SURE_LO, f8_add(near, t), f8_sub(far, f8_mul(f8_size(far), tiny)),
+			f8_load(skip + i), f8_mul(f8_load(l->inverse[h->axis[2]] + i), side));
+		f8_rows(h->aim + i, AIM_TFAR, tfar, f8_all(INFINITY), tfar, zfar);
 	}
 }
 
@@ -126,7 +126,7 @@ V void herd_cut(const ald_accel *a, struct herd *h, unsigned lane, float t)
 {
 	float *aim = h->aim[lane];
 
-	h->lot.tfar[lane] = t;
+	h->lot.tfar[lane] = aim[AIM_TFAR] = t;
 	aim[AIM_ZFAR] = t * aim[AIM_DEPTH] + (a->fast ? 0 : aim[AIM_ZERROR] + DEPTH_ERROR);
 }
 
@@ -236,6 +236,10 @@ V void herd_settle(const ald_accel *a, const struct batch *s, struct asked *q, s
 		some |= (uint64_t)1 << lane;
 		h->low[i] = INFINITY;
 	}
+	for (uint64_t bits = some; bits; bits &= bits - 1) {
+		memcpy(&id, &h->aim[__builtin_ctzll(bits)][AIM_ID], sizeof(id));
+		__builtin_prefetch(&a->prims->index[3 * (size_t)id]);
+	}
 	if (h->due.some)
 		due_ask(a, s, &h->due);
 	rows = herd_rows_of(some);
@@ -294,7 +298,8 @@ V void herd_certain(const struct batch *s, struct herd *h)
 /* ---- triangles ---- */
 
 struct seats { /* a block, as the herd's axes have it, once for each ray of a group */
-	gv x[3], y[3], z[3], slack, slope; /* slope: by which the slack grows with z; see block_slack() */
+	/* slope: by which the slack grows with z; see block_slack(); extent: no coordinate of a hit is further away. */
+	gv x[3], y[3], z[3], slack, slope, extent;
 };
 
 V void seats_set(const struct herd *h, const struct block *n, struct seats *e)
@@ -310,12 +315,12 @@ V void seats_set(const struct herd *h, const struct block *n, struct seats *e)
 	slack = g_mul(g_seats(n->slack), g_all(h->grow));
 	e->slack = g_mul(slack, g_mul_add(g_size(g_seats(n->slack)), g_all(SLACK_SQUARE), g_all(SLACK_LEAST)));
 	e->slope = g_mul(slack, g_all(SLACK_SLOPE));
+	e->extent = g_mul(g_seats(n->slack), g_all(1 / (6 * EDGE_ERROR)));
 }
 
-struct encounter { /* as struct meeting */
-	gv a, b, c, ax, ay, az, bx, by, bz, cx, cy, cz, zmin, zsize, least, most, slack;
-	gv aim[4]; /* fours of each ray */
-	uint32_t maybe, sure;
+struct encounter { /* as struct meeting; narrow: no corner is too far from the line */
+	gv a, b, c, az, bz, cz;
+	uint32_t maybe, sure, narrow;
 };
 
 /* As block_meet() begins. */
@@ -323,75 +328,73 @@ V void herd_weigh(const struct herd *h, const struct seats *e, const uint32_t *l
 {
 	gv o = g_rows(h->aim, AIM_OX, lane), s = g_rows(h->aim, AIM_SX, lane);
 	gv ox = G_SPREAD(o, 0), oy = G_SPREAD(o, 1), oz = G_SPREAD(o, 2), sx = G_SPREAD(s, 0), sy = G_SPREAD(s, 1);
+	gv az = g_sub(e->z[0], oz), bz = g_sub(e->z[1], oz), cz = g_sub(e->z[2], oz), zmin, slack;
+	gv ax = g_sub_mul(g_sub(e->x[0], ox), sx, az), ay = g_sub_mul(g_sub(e->y[0], oy), sy, az);
+	gv bx = g_sub_mul(g_sub(e->x[1], ox), sx, bz), by = g_sub_mul(g_sub(e->y[1], oy), sy, bz);
+	gv cx = g_sub_mul(g_sub(e->x[2], ox), sx, cz), cy = g_sub_mul(g_sub(e->y[2], oy), sy, cz);
 
-	m->aim[0] = o;
-	m->aim[1] = s;
-	m->az = g_sub(e->z[0], oz);
-	m->bz = g_sub(e->z[1], oz);
-	m->cz = g_sub(e->z[2], oz);
-	m->ax = g_sub_mul(g_sub(e->x[0], ox), sx, m->az);
-	m->ay = g_sub_mul(g_sub(e->y[0], oy), sy, m->az);
-	m->bx = g_sub_mul(g_sub(e->x[1], ox), sx, m->bz);
-	m->by = g_sub_mul(g_sub(e->y[1], oy), sy, m->bz);
-	m->cx = g_sub_mul(g_sub(e->x[2], ox), sx, m->cz);
-	m->cy = g_sub_mul(g_sub(e->y[2], oy), sy, m->cz);
-	m->a = g_mul_sub(m->cx, m->by, g_mul(m->cy, m->bx));
-	m->b = g_mul_sub(m->ax, m->cy, g_mul(m->ay, m->cx));
-	m->c = g_mul_sub(m->bx, m->ay, g_mul(m->by, m->ax));
-	m->least = g_min(m->a, g_min(m->b, m->c));
-	m->most = g_max(m->a, g_max(m->b, m->c));
-	m->zmin = g_min(m->az, g_min(m->bz, m->cz));
-	m->zsize = g_max(g_size(m->az), g_max(g_size(m->bz), g_size(m->cz)));
-	m->slack = g_mul_add(m->zsize, e->slope, e->slack);
-	m->maybe = g_le(g_negate(m->slack), m->least) | g_le(m->most, m->slack);
-	m->maybe &= g_le(m->zmin, G_SPREAD(o, 3));
+	m->az = az;
+	m->bz = bz;
+	m->cz = cz;
+	m->a = g_mul_sub(cx, by, g_mul(cy, bx));
+	m->b = g_mul_sub(ax, cy, g_mul(ay, cx));
+	m->c = g_mul_sub(bx, ay, g_mul(by, ax));
+	zmin = g_min(az, g_min(bz, cz));
+	slack = g_mul_add(g_max(g_max(az, g_max(bz, cz)), g_negate(zmin)), e->slope, e->slack);
+	m->narrow = g_le(g_largest(g_largest(g_largest(ax, ay), g_largest(bx, by)), g_largest(cx, cy)), e->extent);
+	m->maybe = g_le(g_min(g_max(m->a, g_max(m->b, m->c)), g_negate(g_min(m->a, g_min(m->b, m->c)))), slack);
 }
 
-/* As block_behind(). */
+struct sights { /* of a group's rays, fours, called by their first */
+	gv o, s, sure_lo, tfar;
+};
+
+/* As block_behind(); the pad is less than zerror / DEPTH_PAD. */
 V uint32_t herd_behind(const struct block *n, const struct seats *v, const struct encounter *m,
-		       gv sum)
+		       const struct sights *r, gv sum, gv slack)
 {
 	gv ex = g_sub(v->x[1], v->x[0]), ey = g_sub(v->y[1], v->y[0]), ez = g_sub(v->z[1], v->z[0]);
 	gv gx = g_sub(v->x[2], v->x[0]), gy = g_sub(v->y[2], v->y[0]), gz = g_sub(v->z[2], v->z[0]);
 	gv nx = g_mul_sub(ey, gz, g_mul(ez, gy)), ny = g_mul_sub(ez, gx, g_mul(ex, gz));
 	gv nz = g_mul_sub(ex, gy, g_mul(ey, gx)), s = g_mul(g_seats(n->slack), g_all(1 / (11 * EDGE_ERROR)));
-	gv qx = g_sub(v->x[0], G_SPREAD(m->aim[0], 0)), qy = g_sub(v->y[0], G_SPREAD(m->aim[0], 1)), slack, up, e, most;
+	gv qx = g_sub(v->x[0], G_SPREAD(r->o, 0)), qy = g_sub(v->y[0], G_SPREAD(r->o, 1)), up, e, most;
 
-	slack = g_mul(m->slack, g_all(3));
+	slack = g_mul(slack, g_all(3));
 	most = g_max(g_max(g_size(qx), g_size(qy)), g_size(m->az));
 	up = g_mul_add(nx, qx, g_mul_add(ny, qy, g_mul(nz, m->az)));
 	e = g_mul_add(s, g_all(0x1p-18f), g_all(0x1p-20f));
-	e = g_mul_add(most, e, g_mul(s, g_mul_add(G_SPREAD(m->aim[2], 2), g_all(8), g_all(0x1p-21f))));
+	e = g_mul_add(most, e, g_mul(s, g_mul_add(G_SPREAD(r->s, 2), g_all(8 / DEPTH_PAD), g_all(0x1p-21f))));
 	e = g_mul(e, s);
 	return (g_le(e, up) & g_le(slack, sum)) | (g_le(e, g_negate(up)) & g_le(sum, g_negate(slack)));
 }
 
 /* As block_bounds(); low, and high, as t. Where the line is surely hit all weights have one sign, and D, their sum,
  * is at least 3 slack: so 6 slack S / D bounds 3 slack S / (D - 3 slack), or is more than S. */
-V void herd_bounds(const struct block *n, const struct seats *e, struct encounter *m, gv *low,
+V void herd_bounds(const struct block *n, const struct seats *e, const struct sights *r, struct encounter *m, gv *low,
 		   gv *high)
 {
-	gv sum = g_add(g_add(m->a, m->b), m->c), one = g_div(g_all(1), sum), wide, error, off, z, back;
-	gv zmin = m->zmin, zmax = g_max(m->az, g_max(m->bz, m->cz)), zerror = G_SPREAD(m->aim[1], 2);
-	gv sure_lo = G_SPREAD(m->aim[2], 0), sure_hi = G_SPREAD(m->aim[2], 1);
+	gv sum = g_add(g_add(m->a, m->b), m->c), one = g_div(g_all(1), sum), error, off, z, back, zsize, slack;
+	gv zmin = g_min(m->az, g_min(m->bz, m->cz)), zmax = g_max(m->az, g_max(m->bz, m->cz));
+	uint32_t within = g_le(zmin, G_SPREAD(r->tfar, 3));
+	gv sure_lo = G_SPREAD(r->sure_lo, 0), sure_hi = G_SPREAD(r->sure_lo, 1);
 
 	z = g_mul(g_mul_add(m->a, m->az, g_mul_add(m->b, m->bz, g_mul(m->c, m->cz))), one);
-	error = g_mul_add(m->zsize, g_all(DEPTH_RELATIVE), zerror);
-	off = g_mul(g_mul(m->slack, g_all(6)), g_sub(zmax, zmin));
+	zsize = g_max(zmax, g_negate(zmin));
+	slack = g_mul_add(zsize, e->slope, e->slack);
+	error = g_mul_add(zsize, g_all(DEPTH_RELATIVE), G_SPREAD(r->s, 2));
+	off = g_mul(g_mul(slack, g_all(6)), g_sub(zmax, zmin));
 	off = g_mul_add(off, g_size(one), error);
-	wide = g_max(g_max(g_max(g_size(m->ax), g_size(m->ay)), g_max(g_size(m->bx), g_size(m->by))),
-		     g_max(g_size(m->cx), g_size(m->cy)));
-	m->sure = g_le(m->slack, m->least) | g_le(m->most, g_negate(m->slack));
-	m->sure &= g_le(wide, g_mul(g_seats(n->slack), g_all(1 / (6 * EDGE_ERROR))));
+	m->sure = m->narrow & g_le(slack, g_max(g_min(m->a, g_min(m->b, m->c)),
+						g_negate(g_max(m->a, g_max(m->b, m->c)))));
 	zmin = g_sub(zmin, error);
 	zmax = g_add(zmax, error);
 	*low = g_max(g_pick(m->sure, g_sub(z, off), zmin), zmin);
 	*high = g_min(g_pick(m->sure, g_add(z, off), zmax), zmax);
-	m->maybe &= g_le(G_SPREAD(m->aim[1], 3), *high);
+	m->maybe &= g_le(G_SPREAD(r->s, 3), *high) & within;
 	m->sure &= g_le(*high, sure_hi) & g_le(sure_lo, *low) & m->maybe;
 	if (m->maybe & ~m->sure & g_le(*low, sure_lo))
-		m->maybe &= ~herd_behind(n, e, m, sum) | m->sure;
-	back = G_SPREAD(m->aim[2], 3);
+		m->maybe &= ~herd_behind(n, e, m, r, sum, slack) | m->sure;
+	back = G_SPREAD(r->sure_lo, 3);
 	*low = g_mul(*low, back);
 	*low = g_sub_mul(*low, g_size(*low), g_all(0x1p-20f));
 	*high = g_pick(m->sure, g_mul(*high, g_mul(back, g_all(1 + 0x1p-20f))), g_all(INFINITY));
@@ -425,10 +428,9 @@ V void herd_meet_fast(const ald_accel *a, const struct batch *s, struct herd *h,
 
 /* Of those that may be hit, the ones that the ray sees. */
 V void herd_see(const ald_accel *a, const struct batch *s, const struct herd *h, const struct block *n,
-		const uint32_t *lane, struct encounter *m)
+		const uint32_t *lane, const struct sights *r, struct encounter *m)
 {
-	m->aim[3] = g_rows(h->aim, AIM_SKIP, lane);
-	m->maybe &= ~g_same(g_seats((const float *)n->id), G_SPREAD(m->aim[3], 0));
+	m->maybe &= ~g_same(g_seats((const float *)n->id), G_SPREAD(r->sure_lo, 2));
 	for (uint32_t bits = a->prims->mask ? m->maybe : 0; bits; bits &= bits - 1) {
 		unsigned i = (unsigned)__builtin_ctz(bits);
 
@@ -437,29 +439,46 @@ V void herd_see(const ald_accel *a, const struct batch *s, const struct herd *h,
 	}
 }
 
-/* Some are hit for sure: nothing beyond counts. Where no other triangle of the block may be hit and all that the ray
- * has met is surely behind, that one is the best, and pending no more. */
-V void herd_nearer(const ald_accel *a, struct herd *h, const struct block *n, const uint32_t *lane,
-		   struct encounter *m, gv low, gv high)
+/* Which rays of a group, bits of their first seats, have any of these. */
+V uint32_t rays_of(uint32_t seats)
 {
-	float lows[4 * GROUP] __attribute__((aligned(64))), highs[4 * GROUP] __attribute__((aligned(64)));
-	uint32_t first = a->frame.exact ? 0 : m->sure & ~g_le(G_SPREAD(m->aim[3], 2), high);
+	seats |= seats >> 1;
+	return (seats | seats >> 2) & 0x11111111;
+}
 
-	g_store(lows, low);
-	g_store(highs, high);
-	for (uint32_t bits = m->sure; bits; bits &= bits - 1) {
-		unsigned i = (unsigned)__builtin_ctz(bits), at = lane[i / 4];
+V uint64_t rays_lanes(uint32_t rays, const uint32_t *lane)
+{
+	uint64_t some = 0;
 
-		if (highs[i] < h->lot.tfar[at])
-			herd_cut(a, h, at, highs[i]);
-		if (first >> i & 1 && (m->maybe >> (i & ~3u) & 15) == 1u << i % 4) {
-			h->aim[at][AIM_BEST] = lows[i];
-			memcpy(&h->aim[at][AIM_ID], &n->id[i % 4], sizeof(*n->id));
-			h->best |= (uint64_t)1 << at;
-			__builtin_prefetch(&a->prims->index[3 * (size_t)n->id[i % 4]]);
-			m->maybe &= ~(1u << i);
-		}
-	}
+	UNROLL
+	for (unsigned i = 0; i < GROUP; i++)
+		some |= (uint64_t)(rays >> 4 * i & 1) << lane[i];
+	return some;
+}
+
+/* Some are hit for sure: nothing beyond counts. Where all that the ray has known of is surely behind, the nearest is
+ * the best, and pending no more. No branch: nobody could guess which rays these are. */
+V void herd_nearer(const ald_accel *a, struct herd *h, const struct block *n, const uint32_t *lane,
+		   const struct sights *r, struct encounter *m, gv low, gv high)
+{
+	gv near = g_min(g_least(g_pick(m->sure, high, g_all(INFINITY))), G_SPREAD(r->tfar, 0));
+	gv none = g_all(0), row, zfar, best, id;
+	uint32_t first, rays;
+
+	m->maybe &= g_le(low, near);
+	first = a->frame.exact ? 0 : m->sure & g_le(high, near) & ~g_le(G_SPREAD(r->tfar, 1), high);
+	/* One of each ray. */
+	first &= ~((first << 1 & 0xeeeeeeee) | (first << 2 & 0xcccccccc) | (first << 3 & 0x88888888));
+	m->maybe &= ~first;
+	rays = rays_of(first);
+	best = g_join(g_pick(first, low, none));
+	id = g_join(g_pick(first, g_seats((const float *)n->id), none));
+	zfar = g_mul_add(near, G_SPREAD(r->o, 3), g_add(G_SPREAD(r->s, 2), g_all(DEPTH_ERROR)));
+	row = g_pick(rays << (AIM_BEST - AIM_TFAR), best, r->tfar);
+	row = g_pick(rays << (AIM_ID - AIM_TFAR), id, row);
+	row = g_pick(0x11111111, near, g_pick(0x88888888, zfar, row));
+	g_rows_put(h->aim, AIM_TFAR, h->lot.tfar, lane, row);
+	h->best |= rays_lanes(rays, lane);
 }
 
 /* A block and the first of GROUP lanes. */
@@ -467,6 +486,7 @@ V void herd_meet(const ald_accel *a, const struct batch *s, struct asked *q, str
 		 const struct seats *e, const uint32_t *lane, uint32_t count, int any)
 {
 	struct encounter m;
+	struct sights r;
 	gv low, high;
 
 	herd_weigh(h, e, lane, &m);
@@ -477,28 +497,24 @@ V void herd_meet(const ald_accel *a, const struct batch *s, struct asked *q, str
 		herd_meet_fast(a, s, h, n, lane, &m, any);
 		return;
 	}
-	m.aim[2] = g_rows(h->aim, AIM_SURE_LO, lane);
-	herd_see(a, s, h, n, lane, &m);
-	herd_bounds(n, e, &m, &low, &high);
+	r.o = g_rows(h->aim, AIM_OX, lane);
+	r.s = g_rows(h->aim, AIM_SX, lane);
+	r.sure_lo = g_rows(h->aim, AIM_SURE_LO, lane);
+	r.tfar = g_rows(h->aim, AIM_TFAR, lane);
+	herd_see(a, s, h, n, lane, &r, &m);
+	herd_bounds(n, e, &r, &m, &low, &high);
+	if (any) {
+		uint32_t hit = rays_of(m.sure);
+
+		m.maybe &= ~(15 * hit);
+		for (; hit; hit &= hit - 1)
+			h->found |= (uint64_t)1 << lane[__builtin_ctz(hit) / 4];
+		h->live &= ~h->found;
+	} else if (m.sure) {
+		herd_nearer(a, h, n, lane, &r, &m, low, high);
+	}
 	if (!m.maybe)
 		return;
-	if (any) {
-		uint32_t hit = m.sure | m.sure >> 1;
-
-		for (hit = (hit | hit >> 2) & 0x11111111; hit; hit &= hit - 1) {
-			unsigned i = (unsigned)__builtin_ctz(hit);
-
-			h->found |= (uint64_t)1 << lane[i / 4];
-			m.maybe &= ~(15u << i);
-		}
-		h->live &= ~h->found;
-		if (!m.maybe)
-			return;
-	} else if (m.sure) {
-		herd_nearer(a, h, n, lane, &m, low, high);
-		if (!m.maybe)
-			return;
-	}
 	if (!any && a->frame.exact)
 		g_pack(&h->high[h->pending], high, m.maybe);
 	g_pack(&h->low[h->pending], low, m.maybe);

@@ -95,7 +95,7 @@ V void lines_set(struct lines *e, unsigned i, const dv x[8], const dv inv[3], co
 V void lot_doubles(const ald_accel *a, struct lot *l, struct lines *e, unsigned i, const dv x[8], dv last)
 {
 	const double *lo = &a->box.lo.x, *hi = &a->box.hi.x, *middle = &a->frame.centre.x;
-	dv t0 = x[6], t1 = last, inv[3], size[3], turned[3], shear[2], far, pad, up, tscale, side;
+	dv t0 = x[6], t1 = last, inv[3], size[3], turned[3], shear[2], far, pad, up, depth, tscale, side;
 	dv huge = dv_all(0x1p400);
 	dm main[3], fine;
 	uint32_t live;
@@ -130,6 +130,7 @@ V void lot_doubles(const ald_accel *a, struct lot *l, struct lines *e, unsigned 
 		l->main[k] |= (uint64_t)dm_bits(main[k]) << i;
 	up = dv_pick(main[0], size[0], dv_pick(main[1], size[1], size[2]));
 	fine = dm_and(fine, dv_gt(up, dv_all(0x1p-400)));
+	depth = dv_half(up);
 	up = dv_mul(dv_power(up), dv_all(2));
 	l->live |= (uint64_t)live << i;
 	l->odd |= (uint64_t)(~dm_bits(fine) & ((1u << DW) - 1)) << i;
@@ -153,7 +154,7 @@ V void lot_doubles(const ald_accel *a, struct lot *l, struct lines *e, unsigned 
 	side = dv_pick(dv_sign(turned[2]), dv_all(-1), dv_all(1));
 	dv_single(l->shear[0] + i, dv_mul(shear[0], side));
 	dv_single(l->shear[1] + i, dv_mul(shear[1], side));
-	dv_single(l->depth + i, dv_div(dv_size(turned[2]), up));
+	dv_single(l->depth + i, depth);
 	if (e)
 		lines_set(e, i, x, inv, shear, pad, last);
 }

@@ -43,12 +43,14 @@ V gv g_div(gv a, gv b) { return _mm512_div_ps(a, b); }
 V gv g_min(gv a, gv b) { return _mm512_min_ps(a, b); }
 V gv g_max(gv a, gv b) { return _mm512_max_ps(a, b); }
 V gv g_size(gv a) { return _mm512_abs_ps(a); }
+V gv g_largest(gv a, gv b) { return _mm512_range_ps(a, b, 11); } /* of their sizes */
 V gv g_negate(gv a) { return _mm512_sub_ps(_mm512_setzero_ps(), a); }
 V gv g_mul_add(gv a, gv b, gv c) { return _mm512_fmadd_ps(a, b, c); }
 V gv g_mul_sub(gv a, gv b, gv c) { return _mm512_fmsub_ps(a, b, c); }
 V gv g_sub_mul(gv c, gv a, gv b) { return _mm512_fnmadd_ps(a, b, c); }
 V uint32_t g_le(gv a, gv b) { return _mm512_cmp_ps_mask(a, b, _CMP_LE_OQ); }
 V gv g_pick(uint32_t bits, gv a, gv b) { return _mm512_mask_blend_ps((__mmask16)bits, b, a); }
+V gv g_or(gv a, gv b) { return _mm512_or_ps(a, b); }
 V void g_store(float *p, gv a) { _mm512_store_ps(p, a); }
 V void g_pack(float *p, gv a, uint32_t bits) { _mm512_storeu_ps(p, _mm512_maskz_compress_ps((__mmask16)bits, a)); }
 V uint32_t g_same(gv a, gv b) { return _mm512_cmpeq_epi32_mask(_mm512_castps_si512(a), _mm512_castps_si512(b)); }
@@ -61,6 +63,19 @@ V gv g_rows(const float (*rows)[16], unsigned at, const uint32_t *row)
 	x = _mm512_mask_broadcast_f32x4(x, 0x00f0, _mm_load_ps(&rows[row[1]][at]));
 	x = _mm512_mask_broadcast_f32x4(x, 0x0f00, _mm_load_ps(&rows[row[2]][at]));
 	return _mm512_mask_broadcast_f32x4(x, 0xf000, _mm_load_ps(&rows[row[3]][at]));
+}
+
+/* The same back, and its first to first[row]; the first of GROUP rows last, so that others may be it, too. */
+V void g_rows_put(float (*rows)[16], unsigned at, float *first, const uint32_t *row, gv x)
+{
+	const __m128 four[] = { _mm512_castps512_ps128(x), _mm512_extractf32x4_ps(x, 1), _mm512_extractf32x4_ps(x, 2),
+				_mm512_extractf32x4_ps(x, 3) };
+
+	UNROLL
+	for (unsigned i = GROUP; i-- > 0;) {
+		_mm_store_ps(&rows[row[i]][at], four[i]);
+		_mm_store_ss(&first[row[i]], four[i]);
+	}
 }
 
 /* Each of GROUP words, as often as there are seats. */
@@ -103,12 +118,14 @@ V gv g_div(gv a, gv b) { return _mm256_div_ps(a, b); }
 V gv g_min(gv a, gv b) { return _mm256_min_ps(a, b); }
 V gv g_max(gv a, gv b) { return _mm256_max_ps(a, b); }
 V gv g_size(gv a) { return f8_size(a); }
+V gv g_largest(gv a, gv b) { return _mm256_max_ps(f8_size(a), f8_size(b)); }
 V gv g_negate(gv a) { return f8_negate(a); }
 V gv g_mul_add(gv a, gv b, gv c) { return _mm256_fmadd_ps(a, b, c); }
 V gv g_mul_sub(gv a, gv b, gv c) { return _mm256_fmsub_ps(a, b, c); }
 V gv g_sub_mul(gv c, gv a, gv b) { return _mm256_fnmadd_ps(a, b, c); }
 V uint32_t g_le(gv a, gv b) { return f8_le(a, b); }
 V gv g_pick(uint32_t bits, gv a, gv b) { return f8_pick(bits, a, b); }
+V gv g_or(gv a, gv b) { return _mm256_or_ps(a, b); }
 V void g_store(float *p, gv a) { _mm256_store_ps(p, a); }
 
 V void g_pack(float *p, gv a, uint32_t bits)
@@ -132,6 +149,17 @@ V gv g_rows(const float (*rows)[16], unsigned at, const uint32_t *row)
 	return _mm256_insertf128_ps(x, _mm_load_ps(&rows[row[1]][at]), 1);
 }
 
+V void g_rows_put(float (*rows)[16], unsigned at, float *first, const uint32_t *row, gv x)
+{
+	const __m128 four[] = { _mm256_castps256_ps128(x), _mm256_extractf128_ps(x, 1) };
+
+	UNROLL
+	for (unsigned i = GROUP; i-- > 0;) {
+		_mm_store_ps(&rows[row[i]][at], four[i]);
+		_mm_store_ss(&first[row[i]], four[i]);
+	}
+}
+
 V gv g_each(const uint32_t *p)
 {
 	__m256i x = _mm256_broadcastsi128_si256(_mm_loadu_si128((const __m128i *)p));
@@ -147,6 +175,21 @@ V uint32_t lanes_of(uint64_t bits, uint32_t *lane)
 		lane[n++] = (uint32_t)__builtin_ctzll(bits);
 	lane[n] = 0;
 	return n;
+}
+#endif
+
+#if ISA_LEVEL >= 2
+/* Of each ray's four the least, in all of them; and all of their bits. */
+V gv g_least(gv a)
+{
+	a = g_min(a, G_TURN(a, 0x4e));
+	return g_min(a, G_TURN(a, 0xb1));
+}
+
+V gv g_join(gv a)
+{
+	a = g_or(a, G_TURN(a, 0x4e));
+	return g_or(a, G_TURN(a, 0xb1));
 }
 #endif
 

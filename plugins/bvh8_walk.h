@@ -134,6 +134,7 @@ static __attribute__((noinline)) void serve_herds(const ald_accel *a, ald_query 
 	asked.n = 0;
 	h.steps = h.rays = 0;
 	h.due.some = 0;
+	memset(h.due.corner, 0, sizeof(h.due.corner));
 	h.lines = h.both;
 	for (uint32_t from = 0; from < b->n; from += HERD_SORTED) {
 		uint32_t n = b->n - from < HERD_SORTED ? b->n - from : HERD_SORTED, end[WAYS], at = 0, way = 0;

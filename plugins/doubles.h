@@ -48,6 +48,11 @@ V dv dv_power(dv a)
 {
 	return _mm512_castsi512_pd(_mm512_and_si512(_mm512_castpd_si512(a), _mm512_set1_epi64(0x7ffll << 52)));
 }
+/* a > 0 brought to [1/2, 1) by a power of two. */
+V dv dv_half(dv a)
+{
+	return _mm512_or_pd(_mm512_and_pd(a, _mm512_castsi512_pd(_mm512_set1_epi64((1ll << 52) - 1))), dv_all(0.5));
+}
 V void dv_single(float *p, dv a) { _mm256_storeu_ps(p, _mm512_cvtpd_ps(a)); }
 M2(and, (dm)(a & b))
 M2(or, (dm)(a | b))
@@ -74,6 +79,10 @@ V dm dv_gt(dv a, dv b) { return _mm256_cmp_pd(a, b, _CMP_GT_OQ); }
 V dm dv_sign(dv a) { return a; }
 V dv dv_pick(dm m, dv a, dv b) { return _mm256_blendv_pd(b, a, m); }
 V dv dv_power(dv a) { return _mm256_and_pd(a, _mm256_castsi256_pd(_mm256_set1_epi64x(0x7ffll << 52))); }
+V dv dv_half(dv a)
+{
+	return _mm256_or_pd(_mm256_and_pd(a, _mm256_castsi256_pd(_mm256_set1_epi64x((1ll << 52) - 1))), dv_all(0.5));
+}
 V void dv_single(float *p, dv a) { _mm_storeu_ps(p, _mm256_cvtpd_ps(a)); }
 M2(and, _mm256_and_pd(a, b))
 M2(or, _mm256_or_pd(a, b))
@@ -109,6 +118,7 @@ V dv dv_size(dv a) { return (dv)((dm)a & INT64_MAX); }
 V dm dv_gt(dv a, dv b) { return a > b; }
 V dm dv_sign(dv a) { return (dm)a < 0; }
 V dv dv_power(dv a) { return (dv)((dm)a & 0x7ffll << 52); }
+V dv dv_half(dv a) { return (dv)(((dm)a & ((1ll << 52) - 1)) | 0x3fell << 52); }
 M2(and, a &b)
 M2(or, a | b)
 M2(less, a & ~b)

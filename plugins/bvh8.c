@@ -283,6 +283,7 @@ const ald_accel_plugin ald_accel_entry = {
 	.occluded = bvh8_occluded,
 	.intersect_n = bvh8_intersect_n,
 	.occluded_n = bvh8_occluded_n,
+	.refit = bvh8_refit,
 	.stat = bvh8_stat,
 	.walk = bvh8_walk,
 	.predict = bvh8_predict,

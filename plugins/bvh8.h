@@ -86,6 +86,8 @@ struct ald_accel {
 	ald_box box; /* around the primitives, grown (R4) */
 	ald_frame frame;
 	uint64_t refs, bytes;
+	uint32_t held; /* primitives that are in it */
+	double built_sum, lost; /* see bvh8_refit.c: how good it was, and what rays have lost since; 0: not known yet */
 	double cost; /* expected, of a ray that meets the scene's box: nodes and blocks it opens */
 };
 
@@ -163,6 +165,8 @@ int bvh8_is_fast(struct builder *); /* by value, or by how many rays there will 
 /* Of the references, of which id[n] is a sample: for how many there would be room; *wanted: what triangles cut in
  * thought came to. */
 double bvh8_room(struct builder *, const uint32_t *id, uint32_t n, double *wanted);
+/* Around all bounds(): as the host says, or an older one doesn't. */
+int bvh8_find_box(const ald_host *, const ald_prims *, ald_box *);
 void bvh8_place(ald_accel *, const ald_box *); /* the coordinates X, from the scene's box */
 int bvh8_can_be_hit(const ald_prims *, uint32_t id);
 int bvh8_predict(const ald_host *, const ald_prims *, const double *value, ald_memory *out);
@@ -186,6 +190,7 @@ struct rows { /* what twigs of a task's tree cost, see bvh8_fill.h */
 extern const float bvh8_row_leaf[2 * WIDTH]; /* the second half */
 void bvh8_seat(struct builder *, struct part *, const struct rows *, uint32_t root); /* its nodes get places */
 int bvh8_widen(struct builder *); /* twig[] to what rays walk through */
+int bvh8_refit(ald_accel *, ald_error *);
 void bvh8_destroy(ald_accel *);
 
 #endif

@@ -68,8 +68,9 @@ void bvh8_touch_all(const ald_host *h, const void *p, size_t bytes)
 }
 
 struct scan {
-	struct builder *b;
+	const ald_prims *prims;
 	ald_box *box; /* of a chunk's bounds */
+	struct builder *b; /* not needed for that */
 	uint32_t *valid; /* of a chunk: primitives that can be hit */
 };
 
@@ -81,7 +82,7 @@ static uint32_t end_of(const ald_prims *p, uint32_t job)
 static void box_job(void *arg, uint32_t job)
 {
 	struct scan *s = arg;
-	const ald_prims *p = s->b->prims;
+	const ald_prims *p = s->prims;
 	ald_box all = ald_box_empty(), box;
 
 	for (uint32_t id = job * CHUNK; id < end_of(p, job); id++) {
@@ -91,11 +92,10 @@ static void box_job(void *arg, uint32_t job)
 	s->box[job] = all;
 }
 
-/* Around all bounds(): as the host says, or an older one doesn't. */
-static int find_box(struct scan *s, uint32_t jobs, ald_box *box)
+int bvh8_find_box(const ald_host *h, const ald_prims *p, ald_box *box)
 {
-	const ald_prims *p = s->b->prims;
-	const ald_host *h = s->b->host;
+	uint32_t jobs = (p->count + CHUNK - 1) / CHUNK;
+	struct scan s = { .prims = p };
 
 	*box = (ald_box){ { 0, 0, 0 }, { 0, 0, 0 } };
 	if (!p->count)
@@ -105,14 +105,14 @@ static int find_box(struct scan *s, uint32_t jobs, ald_box *box)
 		if (box->lo.x <= box->hi.x && box->lo.y <= box->hi.y && box->lo.z <= box->hi.z)
 			return ALD_OK;
 	}
-	s->box = bvh8_take(h, jobs, sizeof(*s->box), "bvh8: building");
-	if (!s->box)
+	s.box = bvh8_take(h, jobs, sizeof(*s.box), "bvh8: building");
+	if (!s.box)
 		return ALD_NO_MEMORY;
-	h->parallel(h->ctx, jobs, box_job, s);
+	h->parallel(h->ctx, jobs, box_job, &s);
 	*box = ald_box_empty();
 	for (uint32_t i = 0; i < jobs; i++)
-		ald_box_join(box, &s->box[i]);
-	h->free(h->ctx, s->box);
+		ald_box_join(box, &s.box[i]);
+	h->free(h->ctx, s.box);
 	return ALD_OK;
 }
 
@@ -220,7 +220,7 @@ static int make_refs(struct scan *s, uint32_t jobs)
 			memmove(&b->ref[b->refs], &b->ref[i * CHUNK], s->valid[i] * sizeof(*b->ref));
 		b->refs += s->valid[i];
 	}
-	b->room = b->refs;
+	b->room = b->a->held = b->refs;
 	h->free(h->ctx, s->valid);
 	return ALD_OK;
 }
@@ -228,9 +228,9 @@ static int make_refs(struct scan *s, uint32_t jobs)
 int bvh8_refs(struct builder *b)
 {
 	uint32_t jobs = (b->prims->count + CHUNK - 1) / CHUNK;
-	struct scan s = { .b = b };
+	struct scan s = { .prims = b->prims, .b = b };
 	ald_box box;
-	int status = find_box(&s, jobs, &box);
+	int status = bvh8_find_box(b->host, b->prims, &box);
 
 	if (status)
 		return status;

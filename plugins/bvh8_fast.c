@@ -386,7 +386,7 @@ static int make_keys(struct fast *f, void (*key)(void *coder, uint32_t job))
 		}
 		b->refs += s.valid[i];
 	}
-	b->room = b->refs;
+	b->room = b->a->held = b->refs;
 	h->free(h->ctx, s.valid);
 	return ALD_OK;
 }

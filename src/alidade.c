@@ -165,6 +165,24 @@ static double foresee(const struct run *run)
 	return moves || !run->progress.count ? rays : rays * (double)run->progress.count;
 }
 
+/* From the earlier frame's, or if that can't be, anew. */
+static enum status run_geometry(struct run *run)
+{
+	enum status st = STATUS_FAILED;
+
+	if (run->geometry)
+		st = geometry_renew(run->geometry, run->scene, &run->accel, run->settings.stats, &run->diag);
+	if (!st)
+		return st;
+	geometry_free(run->geometry);
+	run->geometry = NULL;
+	run->built = NULL;
+	if (st == STATUS_SIGINT)
+		return st;
+	return geometry_build(&run->geometry, run->scene, &run->accel, run->pool, &run->book, run->settings.stats,
+			      &run->diag);
+}
+
 static enum status run_build(struct run *run)
 {
 	enum status st;
@@ -176,14 +194,10 @@ static enum status run_build(struct run *run)
 		progress_end(&run->progress, clock_seconds());
 		return STATUS_OK;
 	}
-	geometry_free(run->geometry);
-	run->geometry = NULL;
-	run->built = NULL;
 	run->accel.rays = foresee(run);
 	run->accel.guard = true;
 	run->accel.later = render_memory(&run->settings.render, pool_threads(run->pool));
-	st = geometry_build(&run->geometry, run->scene, &run->accel, run->pool, &run->book,
-			    run->settings.stats, &run->diag);
+	st = run_geometry(run);
 	if (!st)
 		run->built = run->scene;
 	if (!st && run->settings.verify)

@@ -165,7 +165,11 @@ typedef struct {
 			    uint32_t hints); /* [render] a loop */
 	void (*occluded_n)(const ald_accel *, ald_query *, const ald_ray *, uint8_t *, uint32_t n,
 			   uint32_t hints); /* [render] a loop */
-	int (*refit)(ald_accel *, ald_error *); /* [setup] same ids, bounds moved; rebuild */
+	/* [setup] The ald_prims of build() have become others in place: count, tri_count, group_count, group_first and
+	 * precision are equal, all else may differ, arrays may stand elsewhere, and so may host->rays. ALD_OK: from now
+	 * on it answers for them. Else it is destroyed, and only that; after ALD_CANCELLED nothing is built, otherwise
+	 * it is built anew. ALD_UNSUPPORTED: that would be better, or is needed. NULL: always built anew. */
+	int (*refit)(ald_accel *, ald_error *);
 	/* [any] 0 at the end; none */
 	int (*stat)(const ald_accel *, uint32_t i, const char **name, double *value);
 	int (*walk)(const ald_accel *, const ald_ray *only, ald_visit *, void *arg); /* [any] only:

@@ -64,7 +64,7 @@ static enum status build_levels(struct geometry *g, const double *value, struct 
 		ald_error err = { "" };
 		int result;
 
-		if (!v->prims.count)
+		if (!v->prims.count || v->accel)
 			continue;
 		result = g->plugin->build(&g->host.host, &v->prims, value ? value : none, &v->accel,
 					  &err);
@@ -76,8 +76,9 @@ static enum status build_levels(struct geometry *g, const double *value, struct 
 		}
 		if (ACCEL_HAS(g->plugin, scratch_size))
 			v->scratch = g->plugin->scratch_size(v->accel);
+		g->trees.built++;
 	}
-	g->seconds = clock_seconds() - start;
+	g->seconds += clock_seconds() - start;
 	g->memory.most = atomic_load(&g->book->recent);
 	return STATUS_OK;
 }
@@ -111,12 +112,31 @@ static enum status hire_workers(struct geometry *g, bool count, struct diag *dia
 	return g->worker ? STATUS_OK : diag_no_memory(diag, "the render threads", g->threads * 8);
 }
 
-static enum status make_levels(struct geometry *g, const struct accel_choice *choice, bool count, struct diag *diag)
+void geometry_dismiss(struct geometry *g)
+{
+	for (uint32_t t = 0; g->worker && t < g->threads; t++) {
+		struct worker *w = g->worker[t];
+
+		for (uint32_t i = 0; w && w->query && i < g->set.level_count; i++)
+			mem_free(w->query[i].q.scratch);
+		if (w)
+			mem_free(w->query);
+		mem_free(w);
+	}
+	mem_free(g->worker);
+	g->worker = NULL;
+}
+
+void geometry_show(struct geometry *g)
+{
+	for (uint32_t i = 0; i < g->set.level_count; i++)
+		show_level(&g->view[i], g, &g->set.level[i]);
+}
+
+enum status geometry_complete(struct geometry *g, const struct accel_choice *choice, bool count, struct diag *diag)
 {
 	enum status st;
 
-	for (uint32_t i = 0; i < g->set.level_count; i++)
-		show_level(&g->view[i], g, &g->set.level[i]);
 	mem_book_mark(g->book);
 	st = forecast_check(g, choice, diag);
 	if (!st)
@@ -150,8 +170,10 @@ enum status geometry_build(struct geometry **out, const struct scene *scene,
 		if (!g->view)
 			st = diag_no_memory(diag, "the geometry", sizeof(*g->view));
 	}
-	if (!st)
-		st = make_levels(g, choice, count, diag);
+	if (!st) {
+		geometry_show(g);
+		st = geometry_complete(g, choice, count, diag);
+	}
 	if (st)
 		geometry_free(g);
 	else
@@ -178,8 +200,10 @@ enum status geometry_judge(struct geometry **out, const struct geometry *of, uin
 	g->view = mem_zalloc(g->book, "verification", mem_product(g->set.level_count, sizeof(*g->view)));
 	if (!g->view)
 		st = diag_no_memory(diag, "verification", sizeof(*g->view));
-	if (!st)
-		st = make_levels(g, NULL, false, diag);
+	if (!st) {
+		geometry_show(g);
+		st = geometry_complete(g, NULL, false, diag);
+	}
 	if (st)
 		geometry_free(g);
 	else
@@ -191,11 +215,13 @@ bool geometry_reuse(struct geometry *g, const struct scene *scene)
 {
 	if (!g->hash)
 		g->hash = scene_hash_shapes(g->set.scene);
-	if (scene_hash_shapes(scene) != g->hash || !prim_same_frame(&g->set, scene))
+	g->asked = scene_hash_shapes(scene);
+	if (g->asked != g->hash || !prim_same_frame(&g->set, scene))
 		return false;
 	for (uint32_t t = 0; t < g->threads; t++)
 		memset(g->worker[t]->count, 0, sizeof(g->worker[t]->count));
 	g->seconds = 0;
+	g->trees = (struct geometry_trees){ .kept = g->trees.kept + g->trees.refitted + g->trees.built };
 	if (g->verify)
 		verify_reset(g->verify);
 	return true;
@@ -205,16 +231,7 @@ void geometry_free(struct geometry *g)
 {
 	if (!g)
 		return;
-	for (uint32_t t = 0; g->worker && t < g->threads; t++) {
-		struct worker *w = g->worker[t];
-
-		for (uint32_t i = 0; w && w->query && i < g->set.level_count; i++)
-			mem_free(w->query[i].q.scratch);
-		if (w)
-			mem_free(w->query);
-		mem_free(w);
-	}
-	mem_free(g->worker);
+	geometry_dismiss(g);
 	for (uint32_t i = 0; g->view && i < g->set.level_count; i++) {
 		if (g->view[i].accel)
 			g->plugin->destroy(g->view[i].accel);
@@ -260,6 +277,11 @@ int geometry_stat(const struct geometry *g, uint32_t i, const char **name, doubl
 	if (!g->view[0].accel || !ACCEL_HAS(g->plugin, stat))
 		return 0;
 	return g->plugin->stat(g->view[0].accel, i, name, value);
+}
+
+void geometry_get_trees(const struct geometry *g, struct geometry_trees *out)
+{
+	*out = g->trees;
 }
 
 double geometry_build_seconds(const struct geometry *g)

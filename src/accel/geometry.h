@@ -51,6 +51,8 @@ struct geometry {
 	struct worker **worker; /* [threads] */
 	double seconds;
 	uint64_t hash; /* of the scene's shapes; 0: not known yet */
+	uint64_t asked; /* the hash of the scene that it was last compared with, or 0 */
+	struct geometry_trees trees;
 	struct verify *verify; /* NULL: no ray is asked twice */
 	struct geometry_memory memory;
 	bool borrowed; /* set is another geometry's, which outlives this one */
@@ -88,7 +90,7 @@ void accel_occluded_n(const ald_accel_plugin *, const ald_accel *, ald_query *, 
 #define ACCEL_HAS(plugin, f)                                                                       \
 	((plugin)->size >= offsetof(ald_accel_plugin, f) + sizeof((plugin)->f) && (plugin)->f)
 
-/* What this plugin would need for all levels, with what is booked already; false: it can't tell. */
+/* What this plugin would need for all levels that it has not built yet, with what is booked already; false: it can't tell. */
 struct need {
 	uint64_t most, kept; /* while building; and then */
 };
@@ -100,6 +102,12 @@ static inline uint32_t level_group(const struct prim_level *l, uint32_t id)
 {
 	return ald_group_of(&(ald_prims){ .group_count = l->group_count, .group_first = l->group_first }, id);
 }
+
+/* In parts: for geometry_build() and geometry_renew(). */
+void geometry_show(struct geometry *); /* the set's levels to the plugin's views */
+/* Accelerators for the levels that have none, and threads that can ask them. */
+enum status geometry_complete(struct geometry *, const struct accel_choice *, bool count, struct diag *);
+void geometry_dismiss(struct geometry *); /* the threads */
 
 /* Which leaf a level's primitive belongs to, and which face of its mesh it is. */
 uint32_t view_leaf(const struct prim_level *, uint32_t id, uint32_t *face);

@@ -10,6 +10,7 @@ src_libalidade_la_SOURCES += \
 	src/accel/instance.c \
 	src/accel/load.c src/accel/load.h \
 	src/accel/param.c src/accel/param.h \
+	src/accel/renew.c \
 	src/accel/settle.c \
 	src/accel/surface.c \
 	src/accel/text.c src/accel/text.h \

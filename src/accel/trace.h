@@ -115,6 +115,11 @@ void geometry_get_vertices(const struct geometry *, struct geometry_vertices *, 
 enum status geometry_build(struct geometry **out, const struct scene *, const struct accel_choice *,
 			   struct pool *, struct mem_book *, bool count, struct diag *);
 void geometry_free(struct geometry *); /* NULL is harmless */
+/* Make it another scene's, of the same animation: accelerators are kept or refitted where that will do and pays, and
+ * what is found is what geometry_build() would find; its old scene has to be there still. Whatever the failure, it is
+ * only to be freed then; but for STATUS_SIGINT, nothing was reported and geometry_build() is to be tried. */
+enum status geometry_renew(struct geometry *, const struct scene *, const struct accel_choice *, bool count,
+			   struct diag *);
 /* Has this scene the same shapes in the same places, so that the geometry serves it as it is (its own scene
  * has to live on)? Then the counters and the time of building begin at 0 again. */
 bool geometry_reuse(struct geometry *, const struct scene *);
@@ -124,6 +129,12 @@ void geometry_get_counters(const struct geometry *, uint64_t count[ALD_COUNT_MAX
 /* The plugin's own figures (nodes, depth ...); 0 at the end, as in accel.h. */
 int geometry_stat(const struct geometry *, uint32_t i, const char **name, double *value);
 double geometry_build_seconds(const struct geometry *);
+
+/* One for each level: an earlier frame's as they were, refitted, and built. */
+struct geometry_trees {
+	uint32_t kept, refitted, built;
+};
+void geometry_get_trees(const struct geometry *, struct geometry_trees *);
 
 /* What building was said to take, and what it took, in bytes of the book, with all that was booked before. */
 struct geometry_memory {

@@ -152,13 +152,25 @@ static void text_time(const struct stats *s, FILE *out)
 	fprintf(out, "  %-26s %15.0f\n", "rays per second", per_second(cast, s->render->seconds));
 }
 
+static void text_frame(const struct stats *s, FILE *out)
+{
+	struct geometry_trees t;
+
+	geometry_get_trees(s->geometry, &t);
+	fprintf(out, "frame %u, clock %g, ", s->frame, s->clock);
+	if (s->reused)
+		fputs("structure of an earlier frame", out);
+	else
+		fprintf(out, "structures kept %u, refitted %u, built %u", t.kept, t.refitted, t.built);
+	fprintf(out, ", pictures kept %" PRIu64 "\n", s->pictures_kept);
+}
+
 void stats_text(const struct stats *s, FILE *out)
 {
 	fprintf(out, "alidade %s: %s, %s, %s, %u thread%s%s\n", s->version, s->scene, s->options, s->accel,
 		s->threads, s->threads == 1 ? "" : "s", s->complete ? "" : ", interrupted");
 	if (s->animated)
-		fprintf(out, "frame %u, clock %g, structure %s, pictures kept %" PRIu64 "\n", s->frame, s->clock,
-			s->reused ? "of an earlier frame" : "built", s->pictures_kept);
+		text_frame(s, out);
 	text_rays(s->render, out);
 	if (s->render->error >= 0)
 		fprintf(out, "%-28s %15.6f\n", "mean standard error", s->render->error);
@@ -300,6 +312,22 @@ static void json_memory(struct json_writer *j, const struct stats *s)
 	jw_end(j);
 }
 
+static void json_frame(struct json_writer *j, const struct stats *s)
+{
+	struct geometry_trees t;
+
+	geometry_get_trees(s->geometry, &t);
+	jw_uint(j, "frame", s->frame);
+	jw_double(j, "clock", s->clock);
+	jw_bool(j, "structure_reused", s->reused);
+	jw_object(j, "structures");
+	jw_uint(j, "kept", t.kept);
+	jw_uint(j, "refitted", t.refitted);
+	jw_uint(j, "built", t.built);
+	jw_end(j);
+	jw_uint(j, "pictures_kept", s->pictures_kept);
+}
+
 static void json_head(struct json_writer *j, const struct stats *s)
 {
 	char hash[24];
@@ -309,12 +337,8 @@ static void json_head(struct json_writer *j, const struct stats *s)
 	jw_string(j, "scene", s->scene);
 	jw_string(j, "scene_hash", hash);
 	jw_string(j, "output", s->output);
-	if (s->animated) {
-		jw_uint(j, "frame", s->frame);
-		jw_double(j, "clock", s->clock);
-		jw_bool(j, "structure_reused", s->reused);
-		jw_uint(j, "pictures_kept", s->pictures_kept);
-	}
+	if (s->animated)
+		json_frame(j, s);
 	jw_string(j, "options", s->options);
 	jw_string(j, "accelerator", s->accel);
 	jw_uint(j, "threads", s->threads);

@@ -229,7 +229,7 @@ static int describe_dropped(const struct prim_set *s, const struct prim_dropped 
 	return snprintf(out, size, "the %s", where);
 }
 
-static void report_dropped(const struct prim_set *s, struct diag *diag)
+void prim_report_dropped(const struct prim_set *s, struct diag *diag)
 {
 	char list[4096];
 	size_t n = 0;
@@ -269,7 +269,7 @@ enum status prim_compile(struct prim_set *s, const struct scene *scene, struct m
 	if (st)
 		prim_set_release(s);
 	else
-		report_dropped(s, diag);
+		prim_report_dropped(s, diag);
 	return st;
 }
 

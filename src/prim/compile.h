@@ -139,7 +139,9 @@ struct mat prim_instance_from(const struct prim_set *, const struct prim_instanc
 
 /* All memory is booked under "geometry". On failure *out is released. */
 enum status prim_compile(struct prim_set *out, const struct scene *, struct mem_book *, struct diag *);
-void prim_set_release(struct prim_set *);
+void prim_set_release(struct prim_set *); /* once more is harmless */
+/* Warn of what was left out. */
+void prim_report_dropped(const struct prim_set *, struct diag *);
 /* Would this scene, of the same shapes but perhaps another camera, be laid out in the same coordinates? */
 bool prim_same_frame(const struct prim_set *, const struct scene *);
 

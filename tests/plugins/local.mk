@@ -17,6 +17,12 @@ tests_unit_test_bvh8_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_bvh8_LDADD = $(UNIT_LIBS)
 TESTS += tests/unit/test_bvh8
 
+check_PROGRAMS += tests/unit/test_refit
+tests_unit_test_refit_SOURCES = tests/unit/test_refit.c tests/unit/accel_fixture.h tests/unit/rays.c tests/unit/rays.h
+tests_unit_test_refit_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_refit_LDADD = $(UNIT_LIBS)
+TESTS += tests/unit/test_refit
+
 check_PROGRAMS += tests/unit/test_load
 tests_unit_test_load_SOURCES = tests/unit/test_load.c
 tests_unit_test_load_CPPFLAGS = $(UNIT_CPPFLAGS)

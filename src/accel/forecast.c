@@ -47,7 +47,7 @@ bool forecast_need(const struct geometry *g, const ald_accel_plugin *plugin, con
 		ald_memory m = { 0, 0, 0 };
 		int status;
 
-		if (!g->view[i].prims.count)
+		if (!g->view[i].prims.count || g->view[i].accel)
 			continue;
 		if (!ACCEL_HAS(plugin, predict))
 			return false;

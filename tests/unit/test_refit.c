@@ -17,7 +17,7 @@
 
 #include "accel_fixture.h"
 
-#define RAYS (BATCH - 13u) /* no multiple of what goes side by side */
+#define RAYS 251u /* no multiple of what goes side by side */
 #define HOPELESS 1e-9 /* so few rays that no tree is too bad */
 
 /* As mesh_soup(), but all can be hit. */
@@ -267,7 +267,8 @@ static void test_threads(void **state)
 		assert_int_equal(a->choice.plugin->refit(a->it, &err), ALD_OK);
 		a->choice.plugin->walk(a->it, NULL, fold_volume, &sum[i]);
 		assert_true(sum[i] == sum[i / 3 * 3]);
-		compare_now(&m, spec[i / 3], &h, a, MOVE_LITTLE);
+		if (i % 3 == 0)
+			compare_now(&m, spec[i / 3], &h, a, MOVE_LITTLE);
 		accel_close(a);
 		test_host_release(&h);
 		mesh_release(&m);

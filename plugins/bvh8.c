@@ -89,11 +89,12 @@ void bvh8_destroy(ald_accel *a)
 	h->free(h->ctx, a);
 }
 
-static void note_masks(ald_accel *a)
+void bvh8_note_masks(ald_accel *a)
 {
 	const uint32_t *mask = a->prims->mask;
 	uint32_t n = 0, k;
 
+	a->masks = 0;
 	for (uint32_t i = 0; mask && i < a->prims->count; i++) {
 		if (i && mask[i] == mask[i - 1])
 			continue;
@@ -125,7 +126,7 @@ static int bvh8_build(const ald_host *host, const ald_prims *prims, const double
 			    .interleave = (uint32_t)value[P_INTERLEAVE],
 			    .fast = prims->precision == ALD_PRECISION_FAST,
 			    .bytes = sizeof(*b.a) };
-	note_masks(b.a);
+	bvh8_note_masks(b.a);
 	status = host->progress(host->ctx, 0) ? ALD_CANCELLED : bvh8_refs(&b);
 	if (!status)
 		status = make_tree(&b);

@@ -190,6 +190,7 @@ struct rows { /* what twigs of a task's tree cost, see bvh8_fill.h */
 extern const float bvh8_row_leaf[2 * WIDTH]; /* the second half */
 void bvh8_seat(struct builder *, struct part *, const struct rows *, uint32_t root); /* its nodes get places */
 int bvh8_widen(struct builder *); /* twig[] to what rays walk through */
+void bvh8_note_masks(ald_accel *);
 int bvh8_refit(ald_accel *, ald_error *);
 void bvh8_destroy(ald_accel *);
 

@@ -310,6 +310,7 @@ int bvh8_refit(ald_accel *a, ald_error *err)
 	if (status || a->root == EMPTY)
 		return status;
 	bvh8_place(a, &box);
+	bvh8_note_masks(a);
 	r.x = to_x(a);
 	status = refit_tree(&r, &all);
 	if (status)

@@ -36,9 +36,8 @@ plugins_bvh8_la_SOURCES = plugins/bvh8.c plugins/bvh8.h plugins/bvh8_ask.h plugi
 	plugins/bvh8_crew.h plugins/bvh8_crown.c plugins/bvh8_fast.c plugins/bvh8_fast.h plugins/bvh8_fill.h \
 	plugins/bvh8_fold.h \
 	plugins/bvh8_grow.h plugins/bvh8_herd.h plugins/bvh8_hull.h plugins/bvh8_lanes.c \
-	plugins/bvh8_leaf.h plugins/bvh8_lone.h plugins/bvh8_lot.h plugins/bvh8_order.h plugins/bvh8_part.h plugins/bvh8_plain.c \
-	plugins/bvh8_predict.c plugins/bvh8_ride.h plugins/bvh8_sah.c plugins/bvh8_sah.h plugins/bvh8_sah_avx2.c \
-	plugins/bvh8_leaf.h plugins/bvh8_lot.h plugins/bvh8_order.h plugins/bvh8_part.h plugins/bvh8_plain.c \
+	plugins/bvh8_leaf.h plugins/bvh8_lone.h plugins/bvh8_lot.h plugins/bvh8_order.h plugins/bvh8_part.h \
+	plugins/bvh8_plain.c \
 	plugins/bvh8_predict.c plugins/bvh8_refit.c plugins/bvh8_ride.h \
 	plugins/bvh8_sah.c plugins/bvh8_sah.h plugins/bvh8_sah_avx2.c \
 	plugins/bvh8_solo.h plugins/bvh8_spatial.h plugins/bvh8_split.c plugins/bvh8_sse.c plugins/bvh8_vec.h \

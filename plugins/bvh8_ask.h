@@ -184,7 +184,8 @@ struct due { /* of a lot, pairs that are to be decided once what they need has b
 /* x, y and z of eight corners, as doubles, and as floats; nothing behind them is read. */
 V void corners_doubles(const double *vertex, const uint32_t *corner, dv out[3])
 {
-	const __m512i x = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13), z = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+	const __m512i x = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
+	const __m512i z = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
 	dv row[4], even[2], odd[2];
 
 	UNROLL

@@ -90,7 +90,8 @@ void accel_occluded_n(const ald_accel_plugin *, const ald_accel *, ald_query *, 
 #define ACCEL_HAS(plugin, f)                                                                       \
 	((plugin)->size >= offsetof(ald_accel_plugin, f) + sizeof((plugin)->f) && (plugin)->f)
 
-/* What this plugin would need for all levels that it has not built yet, with what is booked already; false: it can't tell. */
+/* What this plugin would need for all levels that it has not built yet, with what is booked already; false: it can't
+ * tell. */
 struct need {
 	uint64_t most, kept; /* while building; and then */
 };

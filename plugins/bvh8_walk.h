@@ -188,7 +188,7 @@ V void serve(const ald_accel *a, ald_query *q, const struct batch *b, int any)
 	if (a->root == EMPTY || !b->n)
 		return;
 #if ISA_LEVEL >= 2
-	if (b->n <= LONE_MOST && !q->count && !a->fast) {
+	if ((b->n <= LONE_MOST || a->interleave <= 1) && !q->count && !a->fast) {
 		serve_lone(a, q, b, any);
 		return;
 	}
@@ -197,12 +197,6 @@ V void serve(const ald_accel *a, ald_query *q, const struct batch *b, int any)
 		serve_many(a, q, b, any);
 		return;
 	}
-#if ISA_LEVEL >= 2
-	if (!q->count && !a->fast) {
-		serve_lone(a, q, b, any);
-		return;
-	}
-#endif
 	source_open(&s, q, b, NULL, 0, 0, b->n);
 	while (source_next(a, &s, &beam, any)) {
 		if (q->count)

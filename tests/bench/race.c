@@ -25,7 +25,6 @@ static bool load_accel(struct engine *e)
 	char plain[sizeof(e->name)];
 
 	e->one = at && strstr(at, "@one");
-
 	snprintf(plain, sizeof(plain), "%.*s", at ? (int)(at - e->name) : 95, e->name);
 	e->precision = at && strstr(at, "@exact") ? ALD_PRECISION_EXACT :
 		       at && strstr(at, "@fast")  ? ALD_PRECISION_FAST :

@@ -140,4 +140,19 @@ static void compare(const char *mesh, const char *name, const struct accel *want
 	}
 }
 
+/* For walk(): volumes, in their order, to a number. */
+static inline int fold_volume(void *arg, const ald_volume *v)
+{
+	uint64_t *sum = arg;
+
+	for (unsigned k = 0; k < 6; k++) {
+		uint64_t b;
+
+		memcpy(&b, k < 3 ? &(&v->box.lo.x)[k] : &(&v->box.hi.x)[k - 3], sizeof(b));
+		*sum = (*sum ^ b) * 0x9e3779b97f4a7c15u;
+		*sum ^= *sum >> 29;
+	}
+	return 1;
+}
+
 #endif

@@ -17,20 +17,6 @@
 #include "accel_fixture.h"
 
 /* The tree is large enough for the parallel part; the same whoever made it. */
-static int fold_volume(void *arg, const ald_volume *v)
-{
-	uint64_t *sum = arg;
-
-	for (unsigned k = 0; k < 6; k++) {
-		uint64_t b;
-
-		memcpy(&b, k < 3 ? &(&v->box.lo.x)[k] : &(&v->box.hi.x)[k - 3], sizeof(b));
-		*sum = (*sum ^ b) * 0x9e3779b97f4a7c15u;
-		*sum ^= *sum >> 29;
-	}
-	return 1;
-}
-
 static void test_threads(void **state)
 {
 	static const uint32_t threads[] = { 1, 2, 5 };

@@ -15,11 +15,14 @@
 
 #define ALIGN 64
 #define CHUNK (64 * 1024)
-#define HUGE_PAGE ((uintptr_t)2 << 20)
+#define PAGE ((size_t)64 << 10) /* the largest that systems have */
+#define HUGE_PAGE ((size_t)2 << 20)
+#define MOST_OF_IT (HUGE_PAGE / 2) /* of a huge page, for which a whole one is taken */
 
 /* Stands in the 64 bytes before each block. */
 struct block {
 	void *base; /* what is to be freed */
+	size_t mapped; /* or unmapped: bytes */
 	struct mem_book *book;
 	struct mem_account *account;
 	size_t bytes; /* as asked for */
@@ -91,11 +94,12 @@ static void book_sub(const struct block *b)
 	atomic_fetch_sub(&b->account->now, b->bytes);
 }
 
-static void *begin_block(void *base, char *p, struct mem_book *book, struct mem_account *account, size_t bytes)
+static void *begin_block(void *base, size_t mapped, char *p, struct mem_book *book, struct mem_account *account,
+			 size_t bytes)
 {
 	struct block *b = (struct block *)(p - ALIGN);
 
-	*b = (struct block){ base, book, account, bytes };
+	*b = (struct block){ base, mapped, book, account, bytes };
 	return p;
 }
 
@@ -106,18 +110,22 @@ static void *no_block(struct mem_book *book, struct mem_account *account, size_t
 	return NULL;
 }
 
-void *mem_alloc(struct mem_book *book, const char *purpose, size_t bytes)
+/* What is large starts with a huge page and is in huge pages, of which a small part may be unused: a page that is
+ * written for the first time costs the kernel about as much as 4 KiB or as 2 MiB, and walks that read here and there
+ * find its place sooner. */
+static bool is_large(size_t bytes)
 {
-	struct mem_account *account = mem_account_get(book, purpose);
-	char *base;
-
-	if (bytes > SIZE_MAX - 2 * ALIGN || !book_add(book, account, bytes))
-		return NULL;
-	base = aligned_alloc(ALIGN, ALIGN + (bytes + ALIGN - 1) / ALIGN * ALIGN);
-	return base ? begin_block(base, base + ALIGN, book, account, bytes) : no_block(book, account, bytes);
+	return bytes >= MOST_OF_IT;
 }
 
-/* What is written as a whole is there sooner in huge pages. */
+static size_t rounded(size_t bytes)
+{
+	size_t to = is_large(bytes) && bytes % HUGE_PAGE >= MOST_OF_IT ? HUGE_PAGE : ALIGN;
+
+	return (bytes + to - 1) / to * to;
+}
+
+/* p: at a huge page's start, or somewhere. */
 static void in_huge_pages(void *p, size_t bytes)
 {
 #if defined __linux__ && defined MADV_HUGEPAGE
@@ -131,20 +139,58 @@ static void in_huge_pages(void *p, size_t bytes)
 #endif
 }
 
-/* By calloc(), which knows what the system has cleared already, or clears when it is used: each thread its part. */
+void *mem_alloc(struct mem_book *book, const char *purpose, size_t bytes)
+{
+	struct mem_account *account = mem_account_get(book, purpose);
+	void *base = NULL;
+	size_t all;
+
+	if (bytes > SIZE_MAX - 2 * HUGE_PAGE || !book_add(book, account, bytes))
+		return NULL;
+	all = rounded(ALIGN + bytes);
+	if (posix_memalign(&base, is_large(all) ? HUGE_PAGE : ALIGN, all))
+		return no_block(book, account, bytes);
+	in_huge_pages(base, all);
+	return begin_block(base, 0, (char *)base + ALIGN, book, account, bytes);
+}
+
+/* Bytes that the system has cleared, at a huge page's start; what it gave beside them is given back. */
+static char *map_large(size_t bytes)
+{
+	size_t all = bytes + HUGE_PAGE, before, behind;
+	char *p = mmap(NULL, all, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+
+	if (p == MAP_FAILED)
+		return NULL;
+	before = (HUGE_PAGE - (uintptr_t)p % HUGE_PAGE) % HUGE_PAGE;
+	behind = HUGE_PAGE - before;
+	if (before)
+		(void)munmap(p, before);
+	if (behind)
+		(void)munmap(p + before + bytes, behind);
+	in_huge_pages(p + before, bytes);
+	return p + before;
+}
+
+/* Cleared by the system, when it is used: each thread its part. What is small, by calloc(), which knows what has been
+ * cleared already. */
 void *mem_zalloc(struct mem_book *book, const char *purpose, size_t bytes)
 {
 	struct mem_account *account = mem_account_get(book, purpose);
+	size_t mapped = 0;
 	char *base, *p;
 
-	if (bytes > SIZE_MAX - 2 * ALIGN || !book_add(book, account, bytes))
+	if (bytes > SIZE_MAX - 4 * HUGE_PAGE || !book_add(book, account, bytes))
 		return NULL;
-	base = calloc(1, bytes + 2 * ALIGN);
-	if (!base)
-		return no_block(book, account, bytes);
-	p = base + (2 * ALIGN - (uintptr_t)base % ALIGN);
-	in_huge_pages(p, bytes);
-	return begin_block(base, p, book, account, bytes);
+	if (is_large(ALIGN + bytes)) {
+		mapped = (rounded(ALIGN + bytes) + PAGE - 1) / PAGE * PAGE;
+		base = map_large(mapped);
+		p = base;
+	} else {
+		base = calloc(1, bytes + 2 * ALIGN);
+		p = base + (ALIGN - (uintptr_t)base % ALIGN) % ALIGN;
+	}
+	return base ? begin_block(base, mapped, p + ALIGN, book, account, bytes) : no_block(book, account, bytes);
 }
 
 void *mem_realloc(void *p, size_t bytes)
@@ -173,15 +219,16 @@ void mem_trim(void *p, size_t bytes)
 
 void mem_free(void *p)
 {
-	struct block *b;
-	void *base;
+	struct block b;
 
 	if (!p)
 		return;
-	b = (struct block *)((char *)p - ALIGN);
-	base = b->base;
-	book_sub(b);
-	free(base);
+	b = *(struct block *)((char *)p - ALIGN);
+	book_sub(&b);
+	if (b.mapped)
+		(void)munmap(b.base, b.mapped);
+	else
+		free(b.base);
 }
 
 bool mem_account_foreign(struct mem_book *book, const char *purpose, int64_t bytes)

@@ -33,7 +33,7 @@ void mem_book_mark(struct mem_book *);
 struct mem_account *mem_account_get(struct mem_book *, const char *name);
 
 /* 64-aligned, not cleared; NULL when out of memory or over the limit. mem_free(NULL) is harmless.
- * A block remembers its book, account and size. [any thread] */
+ * A block remembers its book, account and size. What is large is in huge pages. [any thread] */
 void *mem_alloc(struct mem_book *, const char *purpose, size_t bytes);
 void *mem_zalloc(struct mem_book *, const char *purpose, size_t bytes);
 /* Like realloc; the block keeps its purpose. p may not be NULL. NULL: the old block is still there. */

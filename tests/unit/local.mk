@@ -54,7 +54,10 @@ TESTS += tests/unit/test_frames tests/unit/test_options tests/unit/test_progress
 	tests/unit/test_stats
 endif
 if HAVE_CMOCKA
-check_PROGRAMS += tests/unit/test_trace
+check_PROGRAMS += tests/unit/test_trace tests/unit/test_mem
+tests_unit_test_mem_SOURCES = tests/unit/test_mem.c
+tests_unit_test_mem_CPPFLAGS = $(UNIT_CPPFLAGS)
+tests_unit_test_mem_LDADD = $(UNIT_LIBS)
 tests_unit_test_trace_SOURCES = tests/unit/test_trace.c tests/unit/mesh_fixture.h tests/unit/world_fixture.h
 tests_unit_test_trace_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_trace_LDADD = $(UNIT_LIBS)
@@ -79,7 +82,7 @@ tests_unit_test_settle_SOURCES = tests/unit/test_settle.c
 tests_unit_test_settle_CPPFLAGS = $(UNIT_CPPFLAGS)
 tests_unit_test_settle_LDADD = $(UNIT_LIBS)
 TESTS += tests/unit/test_settle tests/unit/test_algebraic
-TESTS += tests/unit/test_trace tests/unit/test_kernel tests/unit/test_prim tests/unit/test_geometry
+TESTS += tests/unit/test_trace tests/unit/test_mem tests/unit/test_kernel tests/unit/test_prim tests/unit/test_geometry
 endif
 
 if HAVE_CMOCKA

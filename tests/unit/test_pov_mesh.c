@@ -255,7 +255,18 @@ struct oddity { /* at element at of vertices or faces stands this instead of it 
 	const char *name;
 	unsigned at;
 	const char *vertex, *face;
+	unsigned every, most; /* faces have textures: each every-th face some of most numbers, 1 or 3 of them */
 };
+
+/* A face's numbers of textures: a thousand faces have three of them each, later ones fewer. */
+static const char *numbers(const struct oddity *o, unsigned i, char out[32])
+{
+	out[0] = 0;
+	if (o->every && i % o->every == 0)
+		snprintf(out, 32, i / 1000 == 7 && o->most > 2 ? ", %u, %u,%u" : ", %u", i / 64 % o->most, i % 3,
+			 i % 2);
+	return out;
+}
 
 static const char *turn(const struct oddity *o, unsigned i, const char *odd, const char *plain)
 {
@@ -268,11 +279,12 @@ static char *long_mesh(const struct oddity *o, int announced, bool comments)
 	static const char *const remark[] = { "// <1,2,3>, <\n", "/* plain */", "/* } */ ", "\r\n\t", "//\n",
 					      " /* < */ ", "" };
 	size_t size;
-	char *text, one[128];
+	char *text, one[128], number[32];
 	FILE *f = open_memstream(&text, &size);
 
 	assert_non_null(f);
-	fprintf(f, "#declare A = <1,2,3>; mesh2 { vertex_vectors { %d,\n", announced);
+	fprintf(f, "#declare A = %s; mesh2 { vertex_vectors { %d,\n",
+		o->every ? "texture { pigment { rgb x } }" : "<1,2,3>", announced);
 	for (unsigned i = 0; i < LONG; i++) {
 		snprintf(one, sizeof(one), "<%u.%06u, -%u, %u.5e-3>", i % 7, i, i % 1000, i);
 		fprintf(f, "%s%s,\n", turn(o, i, o->vertex, one), comments && i % 100 == 3 ? remark[i / 100 % 7] : "");
@@ -283,9 +295,12 @@ static char *long_mesh(const struct oddity *o, int announced, bool comments)
 	fprintf(f, "} uv_vectors { %d, ", LONG);
 	for (unsigned i = 0; i < LONG; i++)
 		fprintf(f, "<0.%u, 1.%u>,", i, i % 91);
+	if (o->every)
+		fprintf(f, "} texture_list { 3 texture { A } texture { } texture { A }");
 	fprintf(f, "} face_indices { %d,\n", LONG);
 	for (unsigned i = 0; i < LONG; i++) {
-		snprintf(one, sizeof(one), "<%u, %u, %u>", i, (i + 1) % LONG, (i * 7 + 3) % LONG);
+		snprintf(one, sizeof(one), "<%u, %u, %u>%s", i, (i + 1) % LONG, (i * 7 + 3) % LONG,
+			 numbers(o, i, number));
 		fprintf(f, "%s%s,\n", turn(o, i, o->face, one), comments && i % 100 == 9 ? remark[i / 100 % 7] : "");
 	}
 	fprintf(f, "} normal_indices { %d,\n", LONG - 1);
@@ -330,18 +345,26 @@ static void expect_same(const struct oddity *o, int announced, bool comments)
 static void test_long_lists(void **unused)
 {
 	static const struct oddity odd[] = {
-		{ "plain", 0, NULL, NULL },
-		{ "a name", 20001, "A", NULL },
-		{ "an expression", 9999, "<1,2,3> + x", NULL },
-		{ "no number", 39999, "<1,2,z>", NULL },
-		{ "too large", 31000, "<1,2,1e400>", NULL },
-		{ "a comment in it", 20000, "<1,/* <2,3> */2,3>", "<0,/*}*/1,2>" },
-		{ "an index that is none", 21000, NULL, "<1,2,40000>" },
-		{ "a texture's number", 21000, NULL, "<1,2,3>, 0" },
-		{ "an index with a point", 30000, NULL, "<1,2,3.5>" },
-		{ "empty", 30000, "", NULL },
-		{ "two", 12345, "<1,2,3> <4,5,6>", "<1,2,3> <4,5,6>" },
-		{ "an end", 12345, "}", "}" },
+		{ "plain", 0, NULL, NULL, 0, 0 },
+		{ "one texture", 0, NULL, NULL, 1, 1 },
+		{ "none or one", 0, NULL, NULL, 3, 1 },
+		{ "late textures", 0, NULL, NULL, 12345, 2 },
+		{ "textures", 0, NULL, NULL, 2, 3 },
+		{ "textures, and an expression", 33333, NULL, "<1,2,3>, 1 + 1", 1, 2 },
+		{ "textures, and three once", 33333, NULL, "<1,2,3>, 1,0,2", 1, 2 },
+		{ "two textures", 23333, NULL, "<1,2,3>, 1,0", 1, 2 },
+		{ "a texture that is none", 23333, NULL, "<1,2,3>, 3", 1, 2 },
+		{ "a name", 20001, "A", NULL, 0, 0 },
+		{ "an expression", 9999, "<1,2,3> + x", NULL, 0, 0 },
+		{ "no number", 39999, "<1,2,z>", NULL, 0, 0 },
+		{ "too large", 31000, "<1,2,1e400>", NULL, 0, 0 },
+		{ "a comment in it", 20000, "<1,/* <2,3> */2,3>", "<0,/*}*/1,2>", 0, 0 },
+		{ "an index that is none", 21000, NULL, "<1,2,40000>", 0, 0 },
+		{ "a texture's number", 21000, NULL, "<1,2,3>, 0", 0, 0 },
+		{ "an index with a point", 30000, NULL, "<1,2,3.5>", 0, 0 },
+		{ "empty", 30000, "", NULL, 0, 0 },
+		{ "two", 12345, "<1,2,3> <4,5,6>", "<1,2,3> <4,5,6>", 0, 0 },
+		{ "an end", 12345, "}", "}", 0, 0 },
 	};
 
 	(void)unused;
@@ -357,6 +380,31 @@ static void test_long_lists(void **unused)
 static const char *take_vector(void *list, const char *at, const char *end, size_t i)
 {
 	return scan_vector(at, end, (double *)list + 3 * i);
+}
+
+/* Behind a long list errors still have their line and column. */
+static void test_long_place(void **unused)
+{
+	struct oddity odd = { "wrong", LONG - 1, NULL, "<1,2,3>, 3", 1, 1 };
+	char *text = long_mesh(&odd, LONG, false), *wrong = strstr(text, "3>, 3,\n") + 4, *line = wrong, place[32];
+	unsigned lines = 1;
+
+	(void)unused;
+	for (const char *p = text; p < wrong; p++)
+		lines += *p == '\n';
+	while (line[-1] != '\n')
+		line--;
+	snprintf(place, sizeof(place), "%u:%u: error", lines, (unsigned)(wrong - line) + 1);
+	for (uint32_t threads = 0; threads <= 2; threads += 2) {
+		struct fixture f;
+
+		read_with(&f, text, threads);
+		assert_int_equal(f.status, STATUS_SCENE);
+		if (strncmp(f.messages, place, strlen(place)))
+			fail_msg("not at %s: %s", place, f.messages);
+		fixture_release(&f);
+	}
+	free(text);
 }
 
 /* All of a plain list is shared, and of another what stands before the comment that misleads. */
@@ -388,7 +436,7 @@ int main(void)
 		cmocka_unit_test(test_ways),   cmocka_unit_test(test_textures),
 		cmocka_unit_test(test_normals), cmocka_unit_test(test_errors),
 		cmocka_unit_test(test_cuts),   cmocka_unit_test(test_long_lists),
-		cmocka_unit_test(test_share),
+		cmocka_unit_test(test_share),	cmocka_unit_test(test_long_place),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -197,6 +197,25 @@ static void test_faces(void **unused)
 	}
 }
 
+/* Of all lengths around those that are counted together, and of many more than a byte can count. */
+static void test_count(void **unused)
+{
+	static char text[40000];
+	size_t n = 0;
+
+	(void)unused;
+	memset(text, '\n', sizeof(text));
+	for (size_t i = 0; i < 200; i++)
+		assert_int_equal(scan_count(text + 7, text + 7 + i, '\n'), i);
+	assert_int_equal(scan_count(text, text + sizeof(text), '\n'), sizeof(text));
+	assert_int_equal(scan_count(text, text + sizeof(text), '<'), 0);
+	for (size_t i = 0; i < sizeof(text); i++) {
+		text[i] = i * i % 7 == 2 ? '<' : (char)i;
+		n += text[i] == '<';
+	}
+	assert_int_equal(scan_count(text, text + sizeof(text), '<'), n);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -204,6 +223,7 @@ int main(void)
 		cmocka_unit_test(test_vectors),
 		cmocka_unit_test(test_ends),
 		cmocka_unit_test(test_faces),
+		cmocka_unit_test(test_count),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

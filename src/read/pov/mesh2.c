@@ -23,18 +23,21 @@
 /* A list of a known number of elements. */
 struct list {
 	const char *name; /* the block's word */
-	struct pov *p; /* for textures of faces; others may not touch it while they scan */
+	struct pov *p; /* for textures of faces; not to be touched where threads share */
 	struct mesh_draft *d;
 	struct mesh_array *to; /* where elements go */
 	size_t count, done, expect;
 	uint32_t below; /* indices have to be */
 	const char *of; /* what indices count */
 	atomic_bool zero_normal;
-	bool alone; /* scanning an element does more than share_element allows, or sharing did not work out */
+	bool alone; /* sharing is over, or did not work out */
+	uint32_t *textured; /* while faces with numbers of textures are shared: three each, from face first on */
+	size_t first;
 };
 
 struct list_kind {
-	share_element *scan;
+	share_element *scan, *share; /* share: by one of many threads */
+	bool (*take)(struct list *, size_t n); /* NULL, or what is to be done with n shared elements, in order */
 	bool (*read)(struct pov *, struct list *); /* one element, as tokens */
 };
 
@@ -83,6 +86,28 @@ static size_t scan_alone(struct list *l, const struct list_kind *k, size_t most,
 	return n;
 }
 
+/* Elements that all threads scan, before others are scanned alone: how many. Where textures are numbered, the numbers
+ * are kept apart until it is known which faces count, as they go where those before them tell. */
+static size_t scan_shared(struct pov *p, struct list *l, const struct list_kind *k, size_t most, const char **at,
+			  const char *end)
+{
+	struct pool *pool = pov_options(p)->pool;
+	size_t n = 0;
+
+	if (l->alone || !share_worth(pool, *at, end))
+		return 0;
+	l->first = l->to->count;
+	if (k->take && l->d->list_count)
+		l->textured = mem_alloc(pov_book(p), "mesh", mem_product(most, 3 * sizeof(*l->textured)));
+	if (l->textured || !k->take || !l->d->list_count)
+		n = share_scan(pool, k->share, l, l->first, most, at, end);
+	if (l->textured && !k->take(l, n))
+		n = 0;
+	mem_free(l->textured);
+	l->textured = NULL;
+	return n;
+}
+
 /* Elements while they are plain and right; returns where the next one begins. */
 static const char *scan_elements(struct pov *p, struct list *l, const struct list_kind *k, const char *at,
 				 const char *end)
@@ -94,7 +119,9 @@ static const char *scan_elements(struct pov *p, struct list *l, const struct lis
 		if (a->count == a->room && !mesh_reserve(p, a, 1, l->expect))
 			break;
 		most = l->count - l->done < a->room - a->count ? l->count - l->done : a->room - a->count;
-		n = l->alone ? 0 : share_scan(pov_options(p)->pool, k->scan, l, a->count, most, &at, end);
+		n = scan_shared(p, l, k, most, &at, end);
+		if (pov_failed(p))
+			break;
 		l->alone = true;
 		a->count += n;
 		l->done += n;
@@ -165,7 +192,7 @@ static bool read_vertex(struct pov *p, struct list *l)
 
 static bool read_vertices(struct pov *p, struct mesh_draft *d)
 {
-	static const struct list_kind kind = { scan_vertex, read_vertex };
+	static const struct list_kind kind = { scan_vertex, scan_vertex, NULL, read_vertex };
 	struct list l = { .name = "vertex_vectors", .d = d, .to = &d->vertex };
 
 	if (d->vertex.count) {
@@ -208,7 +235,7 @@ static bool read_normal(struct pov *p, struct list *l)
 
 static bool read_normals(struct pov *p, struct mesh_draft *d)
 {
-	static const struct list_kind kind = { scan_normal, read_normal };
+	static const struct list_kind kind = { scan_normal, scan_normal, NULL, read_normal };
 	struct list l = { .name = "normal_vectors", .d = d, .to = &d->normal };
 	struct diag_pos at = pov_here(p);
 
@@ -260,7 +287,7 @@ static bool read_uv(struct pov *p, struct list *l)
 
 static bool read_uvs(struct pov *p, struct mesh_draft *d)
 {
-	static const struct list_kind kind = { scan_uv, read_uv };
+	static const struct list_kind kind = { scan_uv, scan_uv, NULL, read_uv };
 	struct list l = { .name = "uv_vectors", .d = d, .to = &d->uv };
 
 	d->uv.count = 0; /* a second list takes the first one's place */
@@ -298,32 +325,67 @@ static bool in_range(const uint32_t i[3], uint32_t below)
 
 /* Faces: three indices of vertices and none, one or three numbers of textures. */
 
-static bool face_textures(struct pov *p, struct list *l, uint32_t t[3], int count)
+static void spread_texture(uint32_t out[3], const uint32_t t[3], int count)
 {
-	if (count == 0)
-		t[0] = t[1] = t[2] = SCENE_NONE;
-	else if (count == 1)
-		t[1] = t[2] = t[0];
-	return mesh_add_texture(p, l->d, t, l->expect);
+	for (int k = 0; k < 3; k++)
+		out[k] = !count ? SCENE_NONE : t[count == 1 ? 0 : k];
+}
+
+static bool face_textures(struct pov *p, struct list *l, const uint32_t t[3], int count)
+{
+	uint32_t each[3];
+
+	spread_texture(each, t, count);
+	return mesh_add_texture(p, l->d, each, l->expect);
+}
+
+static const char *scan_textured(const struct list *l, const char *at, const char *end, size_t i, uint32_t t[3],
+				 int *count)
+{
+	uint32_t *out = (uint32_t *)l->to->data + 3 * i;
+
+	at = scan_face(at, end, out, t, count);
+	if (!at || *count == 2 || !in_range(out, l->below))
+		return NULL;
+	for (int k = 0; k < *count; k++) {
+		if (t[k] >= l->d->list_count)
+			return NULL;
+	}
+	return at;
 }
 
 /* The numbers of textures, if there may be any, are put where they go in the order of faces. */
 static const char *scan_one_face(void *list, const char *at, const char *end, size_t i)
 {
 	struct list *l = list;
-	uint32_t t[3], *out = (uint32_t *)l->to->data + 3 * i;
+	uint32_t t[3];
 	int count;
 
-	at = scan_face(at, end, out, t, &count);
-	if (!at || count == 2 || !in_range(out, l->below))
-		return NULL;
-	for (int k = 0; k < count; k++) {
-		if (t[k] >= l->d->list_count)
-			return NULL;
-	}
-	if (l->d->list_count && !face_textures(l->p, l, t, count))
+	at = scan_textured(l, at, end, i, t, &count);
+	if (at && l->d->list_count && !face_textures(l->p, l, t, count))
 		return NULL;
 	return at;
+}
+
+static const char *share_face(void *list, const char *at, const char *end, size_t i)
+{
+	const struct list *l = list;
+	uint32_t t[3];
+	int count;
+
+	at = scan_textured(l, at, end, i, t, &count);
+	if (at && l->textured)
+		spread_texture(l->textured + 3 * (i - l->first), t, count);
+	return at;
+}
+
+static bool take_textures(struct list *l, size_t n)
+{
+	for (size_t i = 0; i < n; i++) {
+		if (!mesh_add_texture(l->p, l->d, l->textured + 3 * i, l->expect))
+			return false;
+	}
+	return true;
 }
 
 static bool read_texture_number(struct pov *p, struct list *l, uint32_t *out)
@@ -375,12 +437,11 @@ static bool read_face(struct pov *p, struct list *l)
 
 static bool read_faces(struct pov *p, struct mesh_draft *d)
 {
-	static const struct list_kind kind = { scan_one_face, read_face };
+	static const struct list_kind kind = { scan_one_face, share_face, take_textures, read_face };
 	struct list l = { .name = "face_indices",
 			  .p = p,
 			  .d = d,
 			  .to = &d->index,
-			  .alone = d->list_count,
 			  .below = (uint32_t)d->vertex.count,
 			  .of = "vertices" };
 
@@ -419,7 +480,7 @@ static bool read_index(struct pov *p, struct list *l)
 	return true;
 }
 
-static const struct list_kind kind_indices = { scan_index, read_index };
+static const struct list_kind kind_indices = { scan_index, scan_index, NULL, read_index };
 
 static bool read_normal_indices(struct pov *p, struct mesh_draft *d)
 {

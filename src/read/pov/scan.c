@@ -14,10 +14,12 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "base/wide.h"
 #include "read/pov/number.h"
 
 /* Numbers are shorter; with so much left, most tests for the end can be left out. */
 #define MARGIN 64
+#define STEP 32u /* bytes that are counted together */
 
 static const double power_of_ten[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10,
 				       1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19 };
@@ -222,4 +224,32 @@ const char *scan_face(const char *at, const char *end, uint32_t out[3], uint32_t
 			return NULL;
 	}
 	return NULL;
+}
+
+static WIDE size_t count_steps(const char *at, size_t steps, char what)
+{
+	size_t n = 0;
+
+	while (steps) {
+		uint8_t seen[STEP] = { 0 };
+		size_t some = steps < 255 ? steps : 255;
+
+		steps -= some;
+		for (; some; some--, at += STEP) {
+			for (unsigned i = 0; i < STEP; i++)
+				seen[i] = (uint8_t)(seen[i] + (at[i] == what));
+		}
+		for (unsigned i = 0; i < STEP; i++)
+			n += seen[i];
+	}
+	return n;
+}
+
+size_t scan_count(const char *at, const char *end, char what)
+{
+	size_t bytes = (size_t)(end - at), n = count_steps(at, bytes / STEP, what);
+
+	for (const char *p = end - bytes % STEP; p < end; p++)
+		n += *p == what;
+	return n;
 }

@@ -11,6 +11,7 @@
 #ifndef ALIDADE_READ_POV_SCAN_H
 #define ALIDADE_READ_POV_SCAN_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 const char *scan_vector(const char *at, const char *end, double out[3]); /* finite */
@@ -21,5 +22,7 @@ const char *scan_face(const char *at, const char *end, uint32_t out[3], uint32_t
 		      int *count);
 /* Where what is not blank or a comment begins; NULL: nowhere before end, or a comment is not plain. */
 const char *scan_blanks(const char *at, const char *end);
+/* How many bytes are what. */
+size_t scan_count(const char *at, const char *end, char what);
 
 #endif

@@ -11,18 +11,15 @@
 
 #include "read/pov/share.h"
 
-#include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
 
-#include "base/wide.h"
 #include "read/pov/scan.h"
 
 #define SHARE ((size_t)128 << 10) /* bytes */
 #define SHARE_LEAST (SHARE / 4) /* what is worth handing over */
 #define SHARES_MAX 64u
 #define SHARES_EACH 4u /* a thread, as some take longer */
-#define STEP 32u /* bytes that are counted together */
 
 struct share {
 	const char *begin, *stop, *at; /* at: behind what has been scanned of it */
@@ -37,38 +34,15 @@ struct shares {
 	struct share share[SHARES_MAX];
 };
 
-static WIDE size_t count_opens(const char *at, size_t steps)
-{
-	size_t n = 0;
-
-	while (steps) {
-		uint8_t seen[STEP] = { 0 };
-		size_t some = steps < 255 ? steps : 255;
-
-		steps -= some;
-		for (; some; some--, at += STEP) {
-			for (unsigned i = 0; i < STEP; i++)
-				seen[i] = (uint8_t)(seen[i] + (at[i] == '<'));
-		}
-		for (unsigned i = 0; i < STEP; i++)
-			n += seen[i];
-	}
-	return n;
-}
-
 static void count_job(void *arg, uint32_t i, uint32_t thread)
 {
 	struct share *s = &((struct shares *)arg)->share[i];
 	const char *close = memchr(s->at, '}', (size_t)(s->stop - s->at));
-	size_t bytes;
 
 	(void)thread;
 	s->last = close;
 	s->stop = close ? close : s->stop;
-	bytes = (size_t)(s->stop - s->at);
-	s->most = count_opens(s->at, bytes / STEP);
-	for (const char *p = s->stop - bytes % STEP; p < s->stop; p++)
-		s->most += *p == '<';
+	s->most = scan_count(s->at, s->stop, '<');
 }
 
 static void scan_job(void *arg, uint32_t i, uint32_t thread)
@@ -141,6 +115,11 @@ static size_t join(const struct shares *all, uint32_t n, const char **at, bool *
 			break;
 	}
 	return count;
+}
+
+bool share_worth(const struct pool *pool, const char *at, const char *end)
+{
+	return pool && pool_threads(pool) > 1 && (size_t)(end - at) / SHARE_LEAST >= 2;
 }
 
 size_t share_scan(struct pool *pool, share_element *one, void *list, size_t first, size_t most, const char **at,

@@ -6,6 +6,7 @@
 #ifndef ALIDADE_READ_POV_SHARE_H
 #define ALIDADE_READ_POV_SHARE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/pool.h"
@@ -14,6 +15,8 @@
  * as others do the same with other places. */
 typedef const char *share_element(void *list, const char *at, const char *end, size_t i);
 
+/* Is so much text long enough for it? */
+bool share_worth(const struct pool *, const char *at, const char *end);
 /* Elements from *at on, as long as each is plain, into places from first on, most of them at most. Returns how many
  * these are, and where the next begins in *at: all is as if one thread had scanned them in their order, but that places
  * behind them may have been written to, and that it may stop early. 0, and *at as it was: the list is too short. */

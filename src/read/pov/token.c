@@ -12,6 +12,7 @@
 #include <config.h>
 
 #include "read/pov/internal.h"
+#include "read/pov/scan.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -316,12 +317,12 @@ bool pov_raw(struct pov *p, const char **begin, const char **end)
 void pov_raw_done(struct pov *p, const char *now)
 {
 	struct place *at = &p->source->p;
-	const char *newline;
+	size_t lines = scan_count(at->at, now, '\n');
 
-	while ((newline = memchr(at->at, '\n', (size_t)(now - at->at)))) {
-		at->at = newline + 1;
-		at->line_start = at->at;
-		at->line++;
-	}
 	at->at = now;
+	if (!lines)
+		return;
+	at->line += (uint32_t)lines;
+	for (at->line_start = now; at->line_start[-1] != '\n'; at->line_start--)
+		;
 }

@@ -38,8 +38,9 @@ void shots_camera(struct shots *s, const struct world *world, uint32_t w)
 	for (uint32_t ty = 0; ty < h; ty += 32) {
 		for (uint32_t tx = 0; tx < w; tx += 32) {
 			for (uint32_t i = 0; i < 1024; i++) {
-				uint32_t block = i / 16, px = tx + block % 8 * 4 + i % 4;
-				uint32_t py = ty + block / 8 * 4 + i / 4 % 4;
+				uint32_t square = i / 64, block = i / 16;
+				uint32_t px = tx + square % 4 * 8 + block % 2 * 4 + i % 4;
+				uint32_t py = ty + square / 4 * 8 + block / 2 % 2 * 4 + i / 4 % 4;
 				double u = ((px + 0.5) / w * 2 - 1) * wide;
 				double v = (1 - (py + 0.5) / h * 2) * wide * h / w;
 				ald_vec d = unit((ald_vec){ z.x + u * x.x + v * y.x, z.y + u * x.y + v * y.y,

@@ -124,13 +124,9 @@ V uint32_t herd_node(const ald_accel *a, struct herd *h, uint32_t ref, uint64_t 
 		for (unsigned i = 0; i < h->size; i += 16)
 			rows += (mask >> i & 0xffff) != 0;
 		if ((uint32_t)__builtin_popcount(some) * rows <= m) {
-			top += f8_order_lanes(t0, t1, 0, h->box + top);
-			for (uint32_t i = from; i < top; i++) {
-				h->ref[i] = n->child[h->box[i]];
-				h->box[i] += ref * WIDTH;
-				h->some[i] = (uint32_t)mask;
-				h->more[i] = (uint32_t)(mask >> 32);
-			}
+			top += f8_order_lanes(t0, t1, n->child, ref * WIDTH, h->ref + from, h->box + from);
+			_mm256_storeu_si256((__m256i *)(h->some + from), _mm256_set1_epi32((int)mask));
+			_mm256_storeu_si256((__m256i *)(h->more + from), _mm256_set1_epi32((int)(mask >> 32)));
 			return top;
 		}
 	}
@@ -204,11 +200,12 @@ V void herd_others(const ald_accel *a, const struct batch *s, ald_query *q, stru
 	h->live &= ~h->found;
 }
 
+/* Without a branch: nobody could guess which it is. (Of what is in no block, nothing useful.) */
 V void herd_fetch_one(const ald_accel *a, uint32_t ref)
 {
-	const char *p = ref < REF_LEAF	 ? (const char *)&a->node[ref] :
-			ref < REF_OTHERS ? (const char *)&a->block[ref & REF_INDEX] :
-					   (const char *)a->other;
+	const uintptr_t from[] = { (uintptr_t)a->node, (uintptr_t)a->block };
+	const size_t each[] = { sizeof(*a->node), sizeof(*a->block) };
+	const char *p = (const char *)(from[ref >> 31] + (ref & REF_INDEX) * each[ref >> 31]);
 
 	__builtin_prefetch(p);
 	__builtin_prefetch(p + 64);

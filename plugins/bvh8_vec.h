@@ -230,12 +230,13 @@ V uint32_t f8_sort(f8 enter, __m256i some, __m256i more, const uint32_t *child, 
 	return n;
 }
 
-/* As f8_order(), without the distances; of each its lane, and first. */
-V uint32_t f8_order_lanes(f8 from, f8 to, uint32_t first, uint32_t *lane)
+/* As f8_order(), without the distances; of each its lane, and first, too. */
+V uint32_t f8_order_lanes(f8 from, f8 to, const uint32_t *child, uint32_t first, uint32_t *ref, uint32_t *lane)
 {
 	uint32_t n;
 	__m256i x = _mm256_and_si256(f8_sorted(from, to, &n), _mm256_set1_epi32(7));
 
+	f8_put(ref, _mm256_load_si256((const __m256i *)child), x);
 	_mm256_storeu_si256((__m256i *)lane, _mm256_add_epi32(x, _mm256_set1_epi32((int)first)));
 	return n;
 }

@@ -225,7 +225,7 @@ V uint32_t herd_together(const ald_accel *a, int any)
 {
 	if (!a->far)
 		return any ? 2 : 3;
-	return a->far > 1 ? (any ? 8 : 16) : (any ? 6 : 12);
+	return a->far > 1 ? (any ? 2 : 6) : (any ? 3 : 12);
 }
 
 /* How many steps what comes off the stack waits for what it is to be fetched. A hit that would have spared some rays

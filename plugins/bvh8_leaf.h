@@ -439,23 +439,6 @@ V void herd_see(const ald_accel *a, const struct batch *s, const struct herd *h,
 	}
 }
 
-/* Which rays of a group, bits of their first seats, have any of these. */
-V uint32_t rays_of(uint32_t seats)
-{
-	seats |= seats >> 1;
-	return (seats | seats >> 2) & 0x11111111;
-}
-
-V uint64_t rays_lanes(uint32_t rays, const uint32_t *lane)
-{
-	uint64_t some = 0;
-
-	UNROLL
-	for (unsigned i = 0; i < GROUP; i++)
-		some |= (uint64_t)(rays >> 4 * i & 1) << lane[i];
-	return some;
-}
-
 /* Some are hit for sure: nothing beyond counts. Where all that the ray has known of is surely behind, the nearest is
  * the best, and pending no more. No branch: nobody could guess which rays these are. */
 V void herd_nearer(const ald_accel *a, struct herd *h, const struct block *n, const uint32_t *lane,

@@ -204,7 +204,7 @@ V void lot_fill_lines(const ald_accel *a, struct lot *l, struct lines *e, const 
 		double t[DW];
 		dv x[8], last;
 
-		if (e)
+		if (e || !b->hit)
 			lot_ahead(b, l->index[i] + LOT);
 
 		UNROLL

@@ -18,7 +18,7 @@
 
 /* Of a ray: see struct aim and struct beam. Offsets are bytes of a node or block; by: of the order of children. */
 enum { AT_O, AT_SIDE = AT_O + 3, AT_SHEAR, AT_ZERROR = AT_SHEAR + 2, AT_BEFORE, AT_SURE, AT_PAD = AT_SURE + 2,
-       AT_BACK, AT_SKIP, AT_DEPTH, AT_GROW, AT_LANE };
+       AT_BACK, AT_SKIP, AT_DEPTH, AT_GROW, AT_LANE, AT_REACH = 15 };
 enum { AT_INVERSE, AT_NEAR_O = 3, AT_FAR_O = 6, AT_PLANE = 9, AT_AXIS = 12, AT_BY = 15 };
 
 struct rider {
@@ -68,15 +68,16 @@ V f8 along(const struct mains *m, unsigned k, f8 x, f8 y, f8 z)
 	return f8_choose(m->z, v[(2 + k) % 3], f8_choose(m->y, v[(1 + k) % 3], v[k]));
 }
 
-V void ride_rows(struct ride *c, unsigned i)
+/* Of the lot's lanes i to i + 7; as the last of each row stand what a ride or a flood has there. */
+V void ride_rows(const struct lot *l, const struct batch *b, float (*aims)[16], float (*boxes)[16], unsigned i,
+		 int flood)
 {
-	const struct lot *l = &c->source.lot;
 	const struct mains m = { (uint32_t)(l->main[1] >> i) & 255, (uint32_t)(l->main[2] >> i) & 255 };
 	const uint32_t down[3] = { (uint32_t)(l->sign[0] >> i) & 255, (uint32_t)(l->sign[1] >> i) & 255,
 				   (uint32_t)(l->sign[2] >> i) & 255 };
 	const uint32_t back = (m.z & down[2]) | (m.y & down[1]) | (~(m.y | m.z) & down[0]);
 	const f8 side = f8_choose(back, f8_all(-1), f8_all(1)), tiny = f8_all(DEPTH_LEAST);
-	const f8 depth = f8_load(l->depth + i);
+	const f8 depth = f8_load(l->depth + i), tfar = f8_load(l->tfar + i);
 	f8 o[3], v[3], n[3], f[3], plane[3], by = f8_word(4 * ORDER_TURNED), axis[3], t0, t1, e0, e1, grow, pad;
 	float skip[8] __attribute__((aligned(32)));
 
@@ -91,24 +92,24 @@ V void ride_rows(struct ride *c, unsigned i)
 		axis[k] = along(&m, (k + 1) % 3, f8_word(0), f8_word(16), f8_word(32));
 	}
 	for (unsigned j = 0; j < 8; j++)
-		memcpy(&skip[j], &c->source.batch.ray[l->index[i + j]].skip, sizeof(*skip));
+		memcpy(&skip[j], &b->ray[l->index[i + j]].skip, sizeof(*skip));
 	pad = f8_load(l->pad + i);
 	grow = f8_mul_add(pad, f8_all(20 / EDGE_ERROR), f8_all(1)); /* far_of() */
-	f8_rows(c->aim + i, AT_O, along(&m, 1, o[0], o[1], o[2]), along(&m, 2, o[0], o[1], o[2]),
+	f8_rows(aims + i, AT_O, along(&m, 1, o[0], o[1], o[2]), along(&m, 2, o[0], o[1], o[2]),
 		f8_mul(along(&m, 0, o[0], o[1], o[2]), side), side);
 	t0 = f8_mul(f8_load(l->first + i), depth);
 	t1 = f8_mul(f8_load(l->last + i), depth);
 	e0 = f8_mul(f8_size(t0), tiny);
 	e1 = f8_mul(f8_size(t1), tiny);
-	f8_rows(c->aim + i, AT_SHEAR, f8_load(l->shear[0] + i), f8_load(l->shear[1] + i),
+	f8_rows(aims + i, AT_SHEAR, f8_load(l->shear[0] + i), f8_load(l->shear[1] + i),
 		f8_mul_add(pad, f8_all(DEPTH_PAD), tiny), f8_sub(t0, e0));
-	f8_rows(c->aim + i, AT_SURE, f8_add(t0, e0), f8_sub(t1, e1), pad,
+	f8_rows(aims + i, AT_SURE, f8_add(t0, e0), f8_sub(t1, e1), pad,
 		f8_mul(along(&m, 0, v[0], v[1], v[2]), side));
-	f8_rows(c->aim + i, AT_SKIP, f8_load(skip), depth, f8_mul(grow, grow), depth);
-	f8_rows(c->box + i, AT_INVERSE, v[0], v[1], v[2], n[0]);
-	f8_rows(c->box + i, AT_NEAR_O + 1, n[1], n[2], f[0], f[1]);
-	f8_rows(c->box + i, AT_FAR_O + 2, f[2], plane[0], plane[1], plane[2]);
-	f8_rows(c->box + i, AT_AXIS, axis[0], axis[1], axis[2], by);
+	f8_rows(aims + i, AT_SKIP, f8_load(skip), depth, f8_mul(grow, grow), tfar);
+	f8_rows(boxes + i, AT_INVERSE, v[0], v[1], v[2], n[0]);
+	f8_rows(boxes + i, AT_NEAR_O + 1, n[1], n[2], f[0], f[1]);
+	f8_rows(boxes + i, AT_FAR_O + 2, f[2], plane[0], plane[1], plane[2]);
+	f8_rows(boxes + i, AT_AXIS, axis[0], axis[1], axis[2], flood ? tfar : by);
 }
 
 /* The next ray takes a place; 0: there is none. */
@@ -123,7 +124,7 @@ V int ride_next(const ald_accel *a, struct ride *c, struct rider *r, float *tfar
 			return 0;
 		for (i = 0; i < LOT; i += 8) {
 			if (s->left >> i & 255)
-				ride_rows(c, i);
+				ride_rows(&s->lot, &s->batch, c->aim, c->box, i, 0);
 		}
 	}
 	i = (unsigned)__builtin_ctzll(s->left);
@@ -230,20 +231,19 @@ struct clash { /* of rays with a block each; as struct seats and struct encounte
 	uint32_t maybe, sure;
 };
 
-V void clash_load(const ald_accel *a, const struct ride *c, const struct turn *w, uint32_t i, struct clash *m)
+/* GROUP rays by the one row of each, and each's other row; ref: their leaves. */
+V void clash_load(const ald_accel *a, const char *const ray[GROUP], const float *const box[GROUP],
+		  const uint32_t *ref, struct clash *m)
 {
-	const char *ray[GROUP], *block[GROUP], *p[3][GROUP];
+	const char *block[GROUP], *p[3][GROUP];
 	gv side;
 
 	UNROLL
 	for (unsigned j = 0; j < GROUP; j++) {
-		const struct rider *r = &c->rider[w->ray[i + j]];
-
-		ray[j] = (const char *)r->aim;
-		block[j] = (const char *)&a->block[w->ref[i + j] & REF_INDEX];
+		block[j] = (const char *)&a->block[ref[j] & REF_INDEX];
 		UNROLL
 		for (unsigned k = 0; k < 3; k++)
-			p[k][j] = block[j] + word_of(&r->box[AT_AXIS + k]);
+			p[k][j] = block[j] + word_of(&box[j][AT_AXIS + k]);
 	}
 	UNROLL
 	for (unsigned k = 0; k < 4; k++)
@@ -259,7 +259,6 @@ V void clash_load(const ald_accel *a, const struct ride *c, const struct turn *w
 	}
 	m->own = g_places(block, offsetof(struct block, slack));
 	m->ids = g_places(block, offsetof(struct block, id));
-	m->tfar = g_each((const uint32_t *)(const void *)(w->tfar + i));
 }
 
 /* As block_meet(). */
@@ -337,10 +336,20 @@ V uint32_t clash_behind(const struct clash *m)
  * that is surely hit is in reach, and where any will do, nothing at all. */
 V void ride_meet(const ald_accel *a, struct ride *c, struct turn *w, uint32_t i, uint32_t count, int any)
 {
+	const char *ray[GROUP];
+	const float *box[GROUP];
 	struct clash m;
 	gv back, high;
 
-	clash_load(a, c, w, i, &m);
+	UNROLL
+	for (unsigned j = 0; j < GROUP; j++) {
+		const struct rider *r = &c->rider[w->ray[i + j]];
+
+		ray[j] = (const char *)r->aim;
+		box[j] = r->box;
+	}
+	clash_load(a, ray, box, w->ref + i, &m);
+	m.tfar = g_each((const uint32_t *)(const void *)(w->tfar + i));
 	clash_weigh(&m);
 	m.maybe &= count < GROUP ? (1u << 4 * count) - 1 : UINT32_MAX;
 	clash_bounds(&m);

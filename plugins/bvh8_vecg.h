@@ -191,6 +191,23 @@ V gv g_join(gv a)
 	a = g_or(a, G_TURN(a, 0x4e));
 	return g_or(a, G_TURN(a, 0xb1));
 }
+
+/* Which rays of a group, bits of their first seats, have any of these. */
+V uint32_t rays_of(uint32_t seats)
+{
+	seats |= seats >> 1;
+	return (seats | seats >> 2) & 0x11111111;
+}
+
+V uint64_t rays_lanes(uint32_t rays, const uint32_t *lane)
+{
+	uint64_t some = 0;
+
+	UNROLL
+	for (unsigned i = 0; i < GROUP; i++)
+		some |= (uint64_t)(rays >> 4 * i & 1) << lane[i];
+	return some;
+}
 #endif
 
 #endif

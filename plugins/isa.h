@@ -29,7 +29,8 @@ static inline int isa_here(unsigned isa)
 	case ISA_SSE:
 		return !!__builtin_cpu_supports("sse4.2");
 	case ISA_AVX2:
-		return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+		return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+		       __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
 	case ISA_AVX512:
 		return isa_here(ISA_AVX2) && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
 		       __builtin_cpu_supports("avx512vl");

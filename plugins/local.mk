@@ -34,7 +34,7 @@ plugins_bvh8_la_SOURCES = plugins/bvh8.c plugins/bvh8.h plugins/bvh8_ask.h plugi
 	plugins/bvh8_avx512.c plugins/bvh8_beam.h plugins/bvh8_bins.h plugins/bvh8_build.c \
 	plugins/bvh8_corner.h plugins/bvh8_crop.c plugins/bvh8_crop.h plugins/bvh8_crop_avx2.c \
 	plugins/bvh8_crew.h plugins/bvh8_crown.c plugins/bvh8_fast.c plugins/bvh8_fast.h plugins/bvh8_fill.h \
-	plugins/bvh8_fold.h \
+	plugins/bvh8_flood.h plugins/bvh8_fold.h \
 	plugins/bvh8_grow.h plugins/bvh8_herd.h plugins/bvh8_hull.h plugins/bvh8_lanes.c \
 	plugins/bvh8_leaf.h plugins/bvh8_lone.h plugins/bvh8_lot.h plugins/bvh8_order.h plugins/bvh8_part.h \
 	plugins/bvh8_plain.c \

@@ -175,6 +175,51 @@ static void test_small_in_large(void **state)
 	free(ray);
 }
 
+/* Batches of mostly short rays, of any size, of which some hit what they were aimed at, and some see far: through boxes
+ * of thousands of needles, of which they hit few. */
+static void test_short(void **state)
+{
+	static const char *const spec[] = { "bvh8", "bvh8:build=fast", "bvh8:isa=avx2" };
+	static const double reach[] = { 2, 1e30, 1.0001, 1e30, 0.9999, 0.5, 1e30 };
+	struct accel *none = malloc(sizeof(*none)), *other = malloc(sizeof(*other));
+	ald_ray *ray = malloc(BATCH * sizeof(*ray));
+	struct mesh m = { 0 };
+	struct test_host h;
+
+	(void)state;
+	mesh_soup(&m, 2000, 1, 0.1, 4);
+	mesh_group(&m);
+	for (unsigned i = 0; i < 4000; i++) {
+		double x = i % 63 * 0.016, y = i % 61 * 0.016, z = i % 59 * 0.016;
+
+		mesh_triangle(&m, mesh_vertex(&m, x, y, z), mesh_vertex(&m, x + 1e-5, y, z),
+			      mesh_vertex(&m, x + 0.7, y + 0.8, z + 0.9));
+	}
+	mesh_finish(&m, false, false, false);
+	test_host_init(&h, 2, 0);
+	accel_open(none, "none", &h, &m);
+	for (uint32_t i = 0; i < BATCH; i++) {
+		aim_at(&m, i < BATCH / 2 ? i * 3 : 2000 + i, &ray[i]);
+		ray[i].tmax = reach[i % 7];
+		ray[i].skip = i % 11 == 0 ? i * 3 : ALD_NONE;
+	}
+	for (unsigned k = 0; k < 3; k++) {
+		accel_open(other, spec[k], &h, &m);
+		for (uint32_t first = 0, n = 16; first + n <= BATCH; first += n, n += 1 + n / 3) {
+			ask(none, ray + first, n, ASK_ALL, 0);
+			ask(other, ray + first, n, ASK_ALL, 0);
+			compare("short rays", spec[k], none, other, ray + first, n);
+		}
+		accel_close(other);
+	}
+	accel_close(none);
+	test_host_release(&h);
+	mesh_release(&m);
+	free(none);
+	free(other);
+	free(ray);
+}
+
 /* Trees of all sizes: what one pass over them has decided the next one has to find again. */
 static void test_sizes(void **state)
 {
@@ -288,6 +333,7 @@ int main(void)
 		cmocka_unit_test(test_threads),
 		cmocka_unit_test(test_masks),
 		cmocka_unit_test(test_small_in_large),
+		cmocka_unit_test(test_short),
 		cmocka_unit_test(test_sizes),
 		cmocka_unit_test(test_fast_extremes),
 		cmocka_unit_test(test_choice),

@@ -2,12 +2,13 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Short rays for which any hit will do, as those that ask what is near: the order in which such a ray opens nodes
- * hardly matters, and it needs neither distances nor a stack of its own. A lot's rays, in the order they came, flood the tree.
- * While many are at a node they open it together, whatever their signs, and leave a bit for each with the children
- * (see bvh8_herd.h); then, as pairs of a ray and a node or leaf, round by round: a round opens the node of each pair,
- * and what its ray enters are pairs of a later round; leaves are met GROUP pairs at a time, and who is hit is left out
- * of the next round. So nothing branches on what one ray meets, no step waits for the one before it, and what a round
- * will read is fetched while others compute. Long rays would open too much before they met anything.
+ * hardly matters, and it needs neither distances nor a stack of its own. A lot's rays, in the order they came,
+ * flood the tree. While many are at a node they open it together, whatever their signs, and leave a bit for each
+ * with the children (see bvh8_herd.h); then, as pairs of a ray and a node or leaf, round by round: a round opens
+ * the node of each pair, and what its ray enters are pairs of a later round; leaves are met GROUP pairs at a time,
+ * and who is hit is left out of the next round. So nothing branches on what one ray meets, no step waits for the
+ * one before it, and what a round will read is fetched while others compute. Long rays would open too much before
+ * they met anything.
  */
 #ifndef BVH8_FLOOD_H
 #define BVH8_FLOOD_H
@@ -202,7 +203,8 @@ V void flood_nodes(const ald_accel *a, struct flood *f)
 	for (uint32_t i = 0; i < n; i++)
 		f->in[i] = (uint8_t)flood_enters(&a->node[f->now_ref[i]], f->box[f->now_lane[i]]);
 	for (uint32_t i = 0; i < n; i++)
-		from = pool_add(f->wait_lane, f->wait_ref, from, f->in[i], a->node[f->now_ref[i]].child, f->now_lane[i]);
+		from = pool_add(f->wait_lane, f->wait_ref, from, f->in[i], a->node[f->now_ref[i]].child,
+				f->now_lane[i]);
 	f->wait.n = from;
 }
 

@@ -13,7 +13,8 @@
 #elif ISA_LEVEL == 2
 #pragma clang attribute push(__attribute__((target("avx2,fma,bmi,bmi2"))), apply_to = function)
 #else
-#pragma clang attribute push(__attribute__((target("avx2,fma,bmi,bmi2,avx512f,avx512dq,avx512vl"))), apply_to = function)
+#pragma clang attribute push(__attribute__((target("avx2,fma,bmi,bmi2,avx512f,avx512dq,avx512vl"))), \
+			     apply_to = function)
 #endif
 #elif ISA_LEVEL == 1
 #pragma GCC target("sse4.2")

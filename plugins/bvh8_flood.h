@@ -35,7 +35,6 @@ struct pool { /* of pairs: lanes of the lot, and references */
 struct flood { /* of a lot */
 	const struct lot *lot;
 	const struct batch *batch;
-	ald_query *q;
 	struct asked *asked;
 	float aim[LOT][16], box[LOT][16]; /* see ride_rows() */
 	uint64_t octant[8]; /* lanes whose directions have these signs */
@@ -150,34 +149,6 @@ V void flood_fetch_block(const ald_accel *a, uint32_t ref)
 	__builtin_prefetch(p + 175);
 }
 
-/* Leaves of other things than triangles are met, and leave the list. */
-static __attribute__((noinline)) void flood_others(const ald_accel *a, struct flood *f)
-{
-	const struct batch *b = f->batch;
-	uint32_t n = 0;
-
-	for (uint32_t i = 0; i < f->leaf.n; i++) {
-		uint32_t lane = f->leaf.lane[i], ref = f->leaf.ref[i];
-		const ald_ray *ray = &b->ray[f->lot->index[lane]];
-		ald_hit own = { .t = ray->tmax, .prim = ALD_NONE };
-		const uint32_t *list;
-
-		if (ref < REF_OTHERS) {
-			f->leaf.lane[n] = (uint8_t)lane;
-			f->leaf.ref[n++] = ref;
-			continue;
-		}
-		list = &a->other[ref & REF_INDEX];
-		for (uint32_t k = 1; k <= list[0] && !(f->found >> lane & 1); k++) {
-			uint64_t hit = ald_sees(a->prims, ray, list[k]) &&
-				       a->prims->intersect(a->prims, list[k], f->q, ray, &own);
-
-			f->found |= hit << lane;
-		}
-	}
-	f->leaf.n = n;
-}
-
 /* What a round is: the last that wait, or the last one where too many do. */
 V void flood_turn(const ald_accel *a, struct flood *f)
 {
@@ -188,8 +159,6 @@ V void flood_turn(const ald_accel *a, struct flood *f)
 	f->now.n = f->leaf.n = 0;
 	pool_part(&f->wait, from, f->found, &f->now, &f->leaf);
 	f->wait.n = from;
-	if (a->others)
-		flood_others(a, f);
 	for (uint32_t i = 0; a->far && i < f->leaf.n; i++)
 		flood_fetch_block(a, f->leaf_ref[i]);
 	for (uint32_t i = 0; a->far && i < f->now.n; i++)
@@ -267,9 +236,8 @@ V void flood_leaves(const ald_accel *a, struct flood *f)
 			lane[f->leaf.n + j] = lane[0];
 			ref[f->leaf.n + j] = ref[0];
 		}
-		for (uint32_t i = 0; i < f->leaf.n; i += GROUP) {
+		for (uint32_t i = 0; i < f->leaf.n; i += GROUP)
 			flood_meet(a, f, i, f->leaf.n - i);
-		}
 		for (uint32_t i = 0; i < f->leaf.n; i++) {
 			uint32_t leaf = ref[i];
 			uint8_t at = lane[i];
@@ -480,7 +448,6 @@ static __attribute__((noinline)) void serve_flood(const ald_accel *a, ald_query 
 
 	f.lot = &s.lot;
 	f.batch = b;
-	f.q = q;
 	f.asked = &s.asked;
 	f.now = (struct pool){ 0, f.now_lane, f.now_ref };
 	f.wait = (struct pool){ 0, f.wait_lane, f.wait_ref };

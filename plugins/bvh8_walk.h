@@ -172,9 +172,8 @@ static __attribute__((noinline)) void serve_herds(const ald_accel *a, ald_query 
 V void serve_many(const ald_accel *a, ald_query *q, const struct batch *b, int any)
 {
 #if ISA_LEVEL >= 2
-	/* Herds go down into instances together. */
-	if (any && b->n >= HERD_LEAST && a->herds && !(a->others && a->prims->intersect_n) && !a->fast &&
-	    !a->frame.exact && are_short(a, b->ray, b->n) && see_all(a, b, NULL, 0, 0, b->n)) {
+	if (any && b->n >= HERD_LEAST && a->herds && !a->others && !a->fast && !a->frame.exact &&
+	    are_short(a, b->ray, b->n) && see_all(a, b, NULL, 0, 0, b->n)) {
 		serve_flood(a, q, b);
 		return;
 	}

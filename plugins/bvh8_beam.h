@@ -204,6 +204,10 @@ V uint32_t block_behind(const struct aim *t, const struct block *n, const f4 to[
 	return (f4_le(e, up) & f4_le(slack, sum)) | (f4_le(e, f4_negate(up)) & f4_le(sum, f4_negate(slack)));
 }
 
+/* How to meet a block: where most often nothing may be hit, so that it ends there; and fetching for the doubles what the
+ * first that may be hit has for corners. */
+enum meet { MEET_ALL, MEET_EARLY, MEET_FETCHED };
+
 /* Bounds on the z of hits, and which lanes are hit for sure.
  *
  * Where a coordinate is wider than a hit's can be, slack is no bound.
@@ -215,7 +219,7 @@ V uint32_t block_behind(const struct aim *t, const struct block *n, const f4 to[
  * n . d, u = 2^-53, so its z, with D > 3 slack > 3 EDGE_ERROR s, by less than 2^23 u s Q, Q how far away the ray's own
  * origin is: 2^18 pad at most, as pad holds 64 u Q. DEPTH_LEAST and DEPTH_PAD cover both. */
 V void block_bounds(const struct aim *t, const struct block *n, struct meeting *m, const f4 to[3], f4 zmin, f4 zmax,
-		    f4 zsize, f4 wide, f4 slack, f4 least, f4 most, int early)
+		    f4 zsize, f4 wide, f4 slack, f4 least, f4 most, enum meet early)
 {
 	f4 sum = f4_add(f4_add(m->a, m->b), m->c), three = f4_mul(slack, f4_all(3));
 	f4 z = f4_mul_add(m->a, m->az, f4_mul_add(m->b, m->bz, f4_mul(m->c, m->cz))), off, error;
@@ -252,9 +256,8 @@ V f4 block_slack(const struct aim *t, const struct block *n, f4 zsize)
 	return f4_mul(f4_mul(slack, f4_all(t->grow)), f4_mul_add(zsize, f4_all(SLACK_SLOPE), part));
 }
 
-/* early: most often nothing may be hit, and then it ends here. */
 V void block_meet(const ald_accel *a, const struct aim *t, const struct block *n, const ald_ray *ray,
-		  struct meeting *m, int early)
+		  struct meeting *m, enum meet early)
 {
 	const float(*v0)[SEATS] = n->v[0], (*v1)[SEATS] = n->v[1], (*v2)[SEATS] = n->v[2];
 	uint32_t x = t->axis[0], y = t->axis[1], z = t->axis[2];
@@ -289,6 +292,8 @@ V void block_meet(const ald_accel *a, const struct aim *t, const struct block *n
 	m->low = m->high = zmin;
 	if (early && !m->maybe)
 		return;
+	if (early == MEET_FETCHED && a->far)
+		__builtin_prefetch(&a->prims->index[3 * (size_t)n->id[__builtin_ctz(m->maybe)]]);
 	m->maybe &= ~f4_same(n->id, ray->skip);
 	if (a->prims->mask) {
 		UNROLL
@@ -477,7 +482,7 @@ V void beam_leaf(const ald_accel *a, const struct batch *s, struct asked *q, str
 	b->enter[b->top] = -INFINITY;
 	b->below[b->top] = b->ref + 1 - (1u << REF_SHIFT);
 	b->top += (b->ref & 7u << REF_SHIFT) != 0;
-	block_meet(a, &b->aim, n, b->ray, &m, 0);
+	block_meet(a, &b->aim, n, b->ray, &m, MEET_ALL);
 	if (a->fast)
 		beam_meet_fast(a, b, n, &m, any);
 	else

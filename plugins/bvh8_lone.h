@@ -16,9 +16,14 @@ struct line;
 typedef __m256d axes; /* x, y, z; the fourth means nothing */
 
 struct line { /* a ray as the doubles want it: see struct pairs */
-	axes o, d, inv, shear; /* shear: of kx and ky */
-	__m256i turn; /* lanes kx, ky, kz */
+	axes o, d, inv;
 	double pad;
+	/* From the first leaf on. */
+	axes shear; /* of kx and ky */
+	__m256i turn; /* lanes kx, ky, kz */
+	/* What leaves are going to want to know. */
+	float at[4] __attribute__((aligned(16))), slope[4]; /* where it enters the scene's box; 1 over the direction */
+	double last, up; /* nothing behind last counts; up: a power of two, see lot_doubles() */
 };
 
 struct path { /* a ray as nodes want it */
@@ -75,39 +80,41 @@ V float lone_time(double t, double shift, double tscale)
 	return (float)_mm_cvtsd_f64(_mm_min_sd(x, _mm_set_sd(8)));
 }
 
-/* Of a beam, what triangles want to know; t0: where its ray enters the scene's box, last: nothing beyond counts. up: a
- * power of two, see lot_doubles(). */
-V void lone_aim(const ald_accel *a, const ald_ray *r, const struct line *l, struct beam *b, uint32_t kz, double t0,
-		double last, double up, f4 o, float inverse)
+/* Of a beam, what triangles want to know. Many rays come to none. */
+V void lone_aim(struct line *l, struct beam *b)
 {
-	const double down = (&r->dir.x)[kz], size = fabs(down), pad = (4 * l->pad + 2 * a->prims->pad) * a->scale;
-	const float first = lone_time(r->tmin, t0, b->tscale), end = lone_time(last, t0, b->tscale);
-	const float side = copysignf(1, (float)down), far = far_of((float)pad);
-	float turned[4] __attribute__((aligned(16)));
+	const ald_ray *r = b->ray;
+	const uint32_t kz = axes_main(axes_size(l->d));
+	const double down = (&r->dir.x)[kz];
+	const float first = lone_time(r->tmin, b->shift, b->tscale), end = lone_time(l->last, b->shift, b->tscale);
+	const float side = copysignf(1, (float)down);
 	struct aim *m = &b->aim;
+	const float far = far_of(m->pad);
 	float lowest, highest;
+	axes main;
 
+	l->turn = _mm256_load_si256((const __m256i *)axes_turns[kz]);
+	main = axes_turned(l->d, l->turn);
+	l->shear = _mm256_div_pd(main, _mm256_permute4x64_pd(main, 0xaa));
 	m->axis[0] = kz == 2 ? 0 : kz + 1;
 	m->axis[1] = m->axis[0] == 2 ? 0 : m->axis[0] + 1;
 	m->axis[2] = kz;
-	_mm_store_ps(turned, o);
-	m->o[0] = turned[m->axis[0]];
-	m->o[1] = turned[m->axis[1]];
-	m->o[2] = turned[kz] * side;
+	m->o[0] = l->at[m->axis[0]];
+	m->o[1] = l->at[m->axis[1]];
+	m->o[2] = l->at[kz] * side;
 	m->side = side;
 	m->shear[0] = (float)_mm_cvtsd_f64(axes_xy(l->shear)) * side;
 	m->shear[1] = (float)_mm_cvtsd_f64(pair_turned(axes_xy(l->shear))) * side;
-	m->back = inverse * side;
-	m->pad = (float)pad;
-	m->zerror = depth_error((float)pad);
+	m->back = l->slope[kz] * side;
+	m->zerror = depth_error(m->pad);
 	m->grow = far * far;
-	b->depth = (float)(size / up);
+	b->depth = (float)(fabs(down) / l->up);
 	lowest = first * b->depth;
 	highest = end * b->depth;
 	m->before = lowest - fabsf(lowest) * DEPTH_LEAST;
 	m->sure_lo = lowest + fabsf(lowest) * DEPTH_LEAST;
 	m->sure_hi = highest - fabsf(highest) * DEPTH_LEAST;
-	beam_cut(b, end * (1 + 0x1p-20f) + 0x1p-30f);
+	beam_cut(b, b->tfar);
 }
 
 enum lone { LONE_MISSES, LONE_ODD, LONE_GOES };
@@ -118,16 +125,16 @@ V enum lone lone_begin(const ald_accel *a, const ald_ray *r, double last, struct
 		       struct beam *b)
 {
 	const axes huge = axes_all(0x1p400), lo = axes_three(&a->box.lo.x), hi = axes_three(&a->box.hi.x);
-	axes o = _mm256_loadu_pd(&r->org.x), d = _mm256_loadu_pd(&r->dir.x), size = axes_size(d), pad, n, f, up, main;
-	double far = axes_sum(axes_size(_mm256_sub_pd(o, axes_three(&a->frame.centre.x)))) + a->frame.radius, t0, t1;
-	const f4 most = f4_all(0x1p40f);
+	axes o = _mm256_loadu_pd(&r->org.x), d = _mm256_loadu_pd(&r->dir.x), size = axes_size(d), pad, n, f;
+	double far = axes_sum(axes_size(_mm256_sub_pd(o, axes_three(&a->frame.centre.x)))) + a->frame.radius, t0, t1, most;
+	const f4 limit = f4_all(0x1p40f);
 	f4 at, v, e;
-	uint32_t kz;
 	uint64_t bits;
 
 	l->pad = 16 * ALD_U * far;
 	l->o = o;
-	l->d = d;
+	l->d = l->shear = d;
+	l->turn = _mm256_setzero_si256();
 	l->inv = _mm256_div_pd(axes_all(1), d);
 	pad = _mm256_xor_pd(axes_all(l->pad), axes_sign(d));
 	n = _mm256_sub_pd(_mm256_blendv_pd(lo, hi, d), _mm256_add_pd(o, pad));
@@ -136,25 +143,25 @@ V enum lone lone_begin(const ald_accel *a, const ald_ray *r, double last, struct
 	t1 = axes_least(_mm256_min_pd(_mm256_mul_pd(f, l->inv), axes_all(last)));
 	if (t0 > t1)
 		return LONE_MISSES;
-	kz = axes_main(size);
-	l->turn = _mm256_load_si256((const __m256i *)axes_turns[kz]);
-	main = axes_turned(d, l->turn);
-	up = _mm256_permute4x64_pd(main, 0xaa);
-	l->shear = _mm256_div_pd(main, up);
-	up = axes_size(up);
+	most = axes_most(size);
 	if ((_mm256_movemask_pd(_mm256_cmp_pd(size, huge, _CMP_LT_OQ)) & 7) != 7 || !(far < 0x1p400) ||
-	    !(_mm256_cvtsd_f64(up) > 0x1p-400))
+	    !(most > 0x1p-400))
 		return LONE_ODD;
-	memcpy(&bits, &up, sizeof(bits));
+	memcpy(&bits, &most, sizeof(bits));
 	bits = (bits & 0x7ffull << 52) + (1ull << 52);
-	up = _mm256_castsi256_pd(_mm256_set1_epi64x((int64_t)bits));
+	memcpy(&l->up, &bits, sizeof(bits));
 	b->shift = t0;
-	b->tscale = _mm256_cvtsd_f64(up) * a->scale;
+	b->tscale = l->up * a->scale;
+	l->last = last;
+	b->tfar = lone_time(last, t0, b->tscale) * (1 + 0x1p-20f) + 0x1p-30f;
+	b->depth = b->aim.zerror = 0;
+	b->aim.pad = (float)((4 * l->pad + 2 * a->prims->pad) * a->scale);
 	o = _mm256_add_pd(_mm256_sub_pd(o, axes_three(a->centre)), _mm256_mul_pd(axes_all(t0), d));
 	at = _mm256_cvtpd_ps(_mm256_mul_pd(o, axes_all(a->scale)));
-	v = _mm256_cvtpd_ps(_mm256_mul_pd(l->inv, up));
-	v = f4_max(f4_min(v, most), f4_negate(most));
-	lone_aim(a, r, l, b, kz, t0, last, _mm256_cvtsd_f64(up), at, v[kz]);
+	v = _mm256_cvtpd_ps(_mm256_mul_pd(l->inv, axes_all(l->up)));
+	v = f4_max(f4_min(v, limit), f4_negate(limit));
+	f4_store(l->at, at);
+	f4_store(l->slope, v);
 	e = f4_signed(f4_all(BOX_ERROR + b->aim.pad), v);
 	p->inverse = v;
 	p->near_o = f4_mul(f4_negate(f4_add(at, e)), v);
@@ -282,6 +289,17 @@ V void lone_settle(const ald_accel *a, const struct line *l, struct beam *b, int
 	b->pending = 0;
 }
 
+/* A triangle's corners. */
+V void lone_fetch(const ald_prims *p, uint32_t id)
+{
+	const uint32_t *index = p->index + 3 * (size_t)id;
+	const size_t each = 3 * (p->vertex_double ? sizeof(double) : sizeof(float));
+
+	UNROLL
+	for (unsigned k = 0; k < 3; k++)
+		__builtin_prefetch((const char *)p->vertex + each * index[k]);
+}
+
 /* As beam_meet(). What is likely to be asked for is fetched. */
 V void lone_meet(const ald_accel *a, const struct line *l, struct beam *b, const struct block *n,
 		 const struct meeting *m, int any)
@@ -300,8 +318,8 @@ V void lone_meet(const ald_accel *a, const struct line *l, struct beam *b, const
 		least = f4_least(high);
 		beam_cut(b, least < b->tfar ? least : b->tfar);
 	}
-	if (a->far && b->pending > from)
-		__builtin_prefetch(&a->prims->index[3 * (size_t)b->id[from]]);
+	if (a->far && !any)
+		lone_fetch(a->prims, b->id[from]);
 	if (b->pending > PENDING) {
 		lone_settle(a, l, b, any);
 		b->asked = 1;

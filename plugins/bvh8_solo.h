@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * A ray of bvh8's that goes alone, to its end: what nodes want to know of it stays in registers, and a processor that
- * guesses branches goes on into the next node before it knows that it was right. Most nodes are left through one child
- * or two; nothing is sorted there.
+ * guesses branches goes on into the next node before it knows that it was right: it guesses which child, too. Most nodes
+ * are left through one child or two; nothing is sorted there.
  */
 #ifndef BVH8_SOLO_H
 #define BVH8_SOLO_H
@@ -12,14 +12,44 @@
 
 struct slopes { /* of a path, for eight children */
 	f8 ix, iy, iz, nx, ny, nz, fx, fy, fz;
+	uint32_t down; /* bits: the direction goes down */
 };
 
 V struct slopes slopes_of(const struct beam *b)
 {
 	return (struct slopes){ f8_all(b->inverse[0]), f8_all(b->inverse[1]), f8_all(b->inverse[2]),
 				f8_all(b->near_o[0]),  f8_all(b->near_o[1]),  f8_all(b->near_o[2]),
-				f8_all(b->far_o[0]),   f8_all(b->far_o[1]),   f8_all(b->far_o[2]) };
+				f8_all(b->far_o[0]),   f8_all(b->far_o[1]),   f8_all(b->far_o[2]),
+				b->way ^ ORDER_TURNED };
 }
+
+/* Child k, for a processor that guesses: it is as if there were a branch for each, whose address is known long before k
+ * is. So while neighbours go the same way no node waits for the boxes of the one before. */
+#define CHILD(k)                                         \
+	case k:                                          \
+		ref = n->child[k];                       \
+		__asm__ volatile("/*" #k "*/" : "+r"(ref)); /* else they are made one again */ \
+		break
+
+V uint32_t child_guessed(const struct node *n, uint32_t k)
+{
+	uint32_t ref;
+
+	switch (k) {
+		CHILD(0);
+		CHILD(1);
+		CHILD(2);
+		CHILD(3);
+		CHILD(4);
+		CHILD(5);
+		CHILD(6);
+		CHILD(7);
+	default:
+		__builtin_unreachable();
+	}
+	return ref;
+}
+#undef CHILD
 
 /* What a block may hold. line: of a ray that asks for itself; NULL: the batch asks. */
 V void solo_meet(const ald_accel *a, const struct batch *s, struct asked *q, const struct line *line, struct beam *b,
@@ -43,8 +73,8 @@ V void solo_meet(const ald_accel *a, const struct batch *s, struct asked *q, con
 V void solo_on(const ald_accel *a, const struct batch *s, struct asked *q, ald_query *query, const struct line *line,
 	       const struct slopes *p, struct beam *b, int any)
 {
-	const size_t x = b->near[0] * sizeof(a->node->plane[0]), y = b->near[1] * sizeof(a->node->plane[0]);
-	const size_t z = b->near[2] * sizeof(a->node->plane[0]), other = sizeof(a->node->plane[0]);
+	const size_t other = sizeof(a->node->plane[0]), x = (p->down & 1) * other;
+	const size_t y = (2 + (p->down >> 1 & 1)) * other, z = (4 + (p->down >> 2 & 1)) * other;
 	f8 tfar = f8_all(b->tfar);
 	uint32_t ref = a->root, top = 1;
 
@@ -68,20 +98,22 @@ V void solo_on(const ald_accel *a, const struct batch *s, struct asked *q, ald_q
 				goto pop;
 			i = (uint32_t)__builtin_ctz(in);
 			in &= in - 1;
-			ref = n->child[i];
-			if (!in)
+			if (!in) {
+				ref = child_guessed(n, i);
 				continue;
+			}
 			j = (uint32_t)__builtin_ctz(in);
 			in &= in - 1;
 			if (!in) {
-				uint32_t second = n->child[j], swap;
+				uint32_t first, second;
 
 				f8_store(enter, t0);
-				swap = enter[j] < enter[i];
-				b->enter[top] = swap ? enter[i] : enter[j];
-				b->below[top] = swap ? ref : second;
-				ref = swap ? second : ref;
+				first = enter[j] < enter[i] ? j : i;
+				second = first ^ i ^ j;
+				b->enter[top] = enter[second];
+				b->below[top] = n->child[second];
 				top++;
+				ref = child_guessed(n, first);
 				continue;
 			}
 #if ISA_LEVEL >= 2
@@ -104,7 +136,7 @@ V void solo_on(const ald_accel *a, const struct batch *s, struct asked *q, ald_q
 			for (; n < end; n++) {
 				struct meeting m;
 
-				block_meet(a, &b->aim, n, b->ray, &m, 1);
+				block_meet(a, &b->aim, n, b->ray, &m, line && !any ? MEET_FETCHED : MEET_EARLY);
 				if (!m.maybe)
 					continue;
 				solo_meet(a, s, q, line, b, n, &m, any);
@@ -142,7 +174,8 @@ V struct slopes slopes_lone(const struct path *p)
 {
 	return (struct slopes){ f8_lane(p->inverse, 0), f8_lane(p->inverse, 1), f8_lane(p->inverse, 2),
 				f8_lane(p->near_o, 0),	f8_lane(p->near_o, 1),	f8_lane(p->near_o, 2),
-				f8_lane(p->far_o, 0),	f8_lane(p->far_o, 1),	f8_lane(p->far_o, 2) };
+				f8_lane(p->far_o, 0),	f8_lane(p->far_o, 1),	f8_lane(p->far_o, 2),
+				p->down };
 }
 
 /* Ray i of a batch, from the call to the answer. */
@@ -169,12 +202,10 @@ V void lone_serve(const ald_accel *a, ald_query *q, const struct batch *s, uint3
 		b.pending = b.asked = 0;
 		b.ray = r;
 		b.way = ORDER_TURNED ^ path.down;
-		UNROLL
-		for (unsigned k = 0; k < 3; k++)
-			b.near[k] = 2 * k + (path.down >> k & 1);
 		b.enter[0] = -INFINITY;
 		b.below[0] = DONE;
 		slopes = slopes_lone(&path);
+		lone_aim(&line, &b);
 		solo_on(a, s, NULL, q, &line, &slopes, &b, any);
 		if (any || !a->frame.exact || !beam_certain(&b))
 			lone_settle(a, &line, &b, any);

@@ -133,6 +133,7 @@ static int bvh8_build(const ald_host *host, const ald_prims *prims, const double
 	b.a->far = (b.a->bytes > CACHE) + (b.a->bytes > FAR * CACHE);
 	if (!status && isa->order)
 		host->parallel(host->ctx, (b.a->nodes + ORDERED - 1) / ORDERED, order_job, b.a);
+	b.a->lone = isa->nearest_one && !b.a->fast && b.a->root != EMPTY;
 	b.a->herds = !b.a->interleave;
 	if (!b.a->interleave)
 		b.a->interleave = INTERLEAVE_MAX;
@@ -173,7 +174,10 @@ static int bvh8_intersect(const ald_accel *a, ald_query *q, const ald_ray *ray, 
 	double t = hit->t;
 	uint32_t prim = hit->prim;
 
-	a->isa->nearest(a, q, ray, hit, 1, 0);
+	if (a->lone && !q->count)
+		a->isa->nearest_one(a, q, ray, hit);
+	else
+		a->isa->nearest(a, q, ray, hit, 1, 0);
 	return hit->t != t || hit->prim != prim;
 }
 
@@ -181,6 +185,8 @@ static int bvh8_occluded(const ald_accel *a, ald_query *q, const ald_ray *ray)
 {
 	uint8_t hidden;
 
+	if (a->lone && !q->count)
+		return a->isa->occluded_one(a, q, ray) != 0;
 	a->isa->occluded(a, q, ray, &hidden, 1, 0);
 	return hidden;
 }

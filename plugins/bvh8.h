@@ -78,6 +78,7 @@ struct ald_accel {
 	uint32_t nodes, blocks, others, leaves, depth, interleave;
 	int parts; /* triangles were split, so a ray can meet one again in another leaf */
 	int herds; /* where rays go together, so do they */
+	int lone; /* single rays that nobody counts have a shorter way */
 	int hasty; /* it was built fast */
 	int far; /* the tree is larger than a cache; 2: far larger */
 	uint32_t mask[MASKS], masks; /* that primitives have; 0: nobody looked, or too many */
@@ -97,6 +98,9 @@ struct isa {
 			uint32_t hints);
 	void (*occluded)(const ald_accel *, ald_query *, const ald_ray *, uint8_t *, uint32_t n,
 			 uint32_t hints);
+	/* One ray, where ald_accel.lone says so. */
+	void (*nearest_one)(const ald_accel *, ald_query *, const ald_ray *, ald_hit *);
+	uint32_t (*occluded_one)(const ald_accel *, ald_query *, const ald_ray *);
 	void (*order)(struct node *, uint32_t n); /* of children; NULL: rays sort them */
 };
 

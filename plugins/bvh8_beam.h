@@ -204,8 +204,8 @@ V uint32_t block_behind(const struct aim *t, const struct block *n, const f4 to[
 	return (f4_le(e, up) & f4_le(slack, sum)) | (f4_le(e, f4_negate(up)) & f4_le(sum, f4_negate(slack)));
 }
 
-/* How to meet a block: where most often nothing may be hit, so that it ends there; and fetching for the doubles what the
- * first that may be hit has for corners. */
+/* How to meet a block: where most often nothing may be hit, so that it ends there; and fetching for the doubles
+ * which corners the first has that may be hit. */
 enum meet { MEET_ALL, MEET_EARLY, MEET_FETCHED };
 
 /* Bounds on the z of hits, and which lanes are hit for sure.

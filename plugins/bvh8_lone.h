@@ -126,7 +126,8 @@ V enum lone lone_begin(const ald_accel *a, const ald_ray *r, double last, struct
 {
 	const axes huge = axes_all(0x1p400), lo = axes_three(&a->box.lo.x), hi = axes_three(&a->box.hi.x);
 	axes o = _mm256_loadu_pd(&r->org.x), d = _mm256_loadu_pd(&r->dir.x), size = axes_size(d), pad, n, f;
-	double far = axes_sum(axes_size(_mm256_sub_pd(o, axes_three(&a->frame.centre.x)))) + a->frame.radius, t0, t1, most;
+	double far = axes_sum(axes_size(_mm256_sub_pd(o, axes_three(&a->frame.centre.x)))) + a->frame.radius;
+	double t0, t1, most;
 	const f4 limit = f4_all(0x1p40f);
 	f4 at, v, e;
 	uint64_t bits;

@@ -178,46 +178,53 @@ V struct slopes slopes_lone(const struct path *p)
 				p->down };
 }
 
-/* Ray i of a batch, from the call to the answer. */
-V void lone_serve(const ald_accel *a, ald_query *q, const struct batch *s, uint32_t i, int any)
+/* A ray from the call to the answer. If any will do, hit only tells the ray's tmax, and returned is whether it is hit. */
+V uint32_t lone_serve(const ald_accel *a, ald_query *q, const ald_ray *r, ald_hit *hit, int any)
 {
-	const ald_ray *r = &s->ray[i];
-	ald_hit own;
 	struct slopes slopes;
 	struct path path;
 	struct line line;
 	struct beam b;
-	enum lone is;
+	enum lone is = lone_begin(a, r, hit->t, &line, &path, &b);
 
-	if (any)
-		own.t = r->tmax, own.prim = ALD_NONE;
-	b.hit = any ? &own : &s->hit[i];
-	is = lone_begin(a, r, b.hit->t, &line, &path, &b);
 	if (is == LONE_MISSES)
-		return;
-	b.found = 0;
-	if (is == LONE_ODD) {
-		b.found = beam_odd(a, q, r, b.hit, any) != 0;
-	} else {
-		b.pending = b.asked = 0;
-		b.ray = r;
-		b.way = ORDER_TURNED ^ path.down;
-		b.enter[0] = -INFINITY;
-		b.below[0] = DONE;
-		slopes = slopes_lone(&path);
-		lone_aim(&line, &b);
-		solo_on(a, s, NULL, q, &line, &slopes, &b, any);
-		if (any || !a->frame.exact || !beam_certain(&b))
-			lone_settle(a, &line, &b, any);
-	}
-	if (any)
-		s->hidden[i] = (uint8_t)b.found;
+		return 0;
+	if (is == LONE_ODD)
+		return beam_odd(a, q, r, hit, any) != 0;
+	b.hit = hit;
+	b.found = b.pending = b.asked = 0;
+	b.ray = r;
+	b.way = ORDER_TURNED ^ path.down;
+	b.enter[0] = -INFINITY;
+	b.below[0] = DONE;
+	slopes = slopes_lone(&path);
+	lone_aim(&line, &b);
+	solo_on(a, NULL, NULL, q, &line, &slopes, &b, any);
+	if (any || !a->frame.exact || !beam_certain(&b))
+		lone_settle(a, &line, &b, any);
+	return b.found;
 }
 
-static __attribute__((noinline)) void serve_lone(const ald_accel *a, ald_query *q, const struct batch *s, int any)
+static __attribute__((noinline)) void lone_nearest(const ald_accel *a, ald_query *q, const ald_ray *r, ald_hit *hit)
 {
-	for (uint32_t i = 0; i < s->n; i++)
-		lone_serve(a, q, s, i, any);
+	lone_serve(a, q, r, hit, 0);
+}
+
+static __attribute__((noinline)) uint32_t lone_occluded(const ald_accel *a, ald_query *q, const ald_ray *r)
+{
+	ald_hit own = { .t = r->tmax, .prim = ALD_NONE };
+
+	return lone_serve(a, q, r, &own, 1);
+}
+
+V void serve_lone(const ald_accel *a, ald_query *q, const struct batch *s, int any)
+{
+	for (uint32_t i = 0; i < s->n; i++) {
+		if (any)
+			s->hidden[i] = (uint8_t)lone_occluded(a, q, &s->ray[i]);
+		else
+			lone_nearest(a, q, &s->ray[i], &s->hit[i]);
+	}
 }
 #endif
 

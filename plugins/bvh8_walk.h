@@ -193,7 +193,7 @@ V void serve(const ald_accel *a, ald_query *q, const struct batch *b, int any)
 	if (a->root == EMPTY || !b->n)
 		return;
 #if ISA_LEVEL >= 2
-	if ((b->n <= LONE_MOST || a->interleave <= 1) && !q->count && !a->fast) {
+	if ((b->n <= LONE_MOST || a->interleave <= 1) && a->lone && !q->count) {
 		serve_lone(a, q, b, any);
 		return;
 	}
@@ -232,9 +232,9 @@ static void occluded(const ald_accel *a, ald_query *q, const ald_ray *ray, uint8
 }
 
 #if ISA_LEVEL >= 2
-const struct isa ISA_NAME = { ISA_TEXT, nearest, occluded, order_nodes };
+const struct isa ISA_NAME = { ISA_TEXT, nearest, occluded, lone_nearest, lone_occluded, order_nodes };
 #else
-const struct isa ISA_NAME = { ISA_TEXT, nearest, occluded, NULL };
+const struct isa ISA_NAME = { ISA_TEXT, nearest, occluded, NULL, NULL, NULL };
 #endif
 
 #endif

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * A ray of bvh8's that goes alone, to its end: what nodes want to know of it stays in registers, and a processor that
- * guesses branches goes on into the next node before it knows that it was right: it guesses which child, too. Most nodes
- * are left through one child or two; nothing is sorted there.
+ * guesses branches goes on into the next node before it knows that it was right: it guesses which child, too. Most
+ * nodes are left through one child or two; nothing is sorted there.
  */
 #ifndef BVH8_SOLO_H
 #define BVH8_SOLO_H
@@ -178,7 +178,8 @@ V struct slopes slopes_lone(const struct path *p)
 				p->down };
 }
 
-/* A ray from the call to the answer. If any will do, hit only tells the ray's tmax, and returned is whether it is hit. */
+/* A ray from the call to the answer. If any will do, hit tells the ray's tmax; what counts is returned, whether it is
+ * hit. */
 V uint32_t lone_serve(const ald_accel *a, ald_query *q, const ald_ray *r, ald_hit *hit, int any)
 {
 	struct slopes slopes;

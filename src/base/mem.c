@@ -18,6 +18,7 @@
 #define PAGE ((size_t)64 << 10) /* the largest that systems have */
 #define HUGE_PAGE ((size_t)2 << 20)
 #define MOST_OF_IT (HUGE_PAGE / 2) /* of a huge page, for which a whole one is taken */
+#define LARGE (4 * HUGE_PAGE)
 /* Blocks that are mapped; a sanitizer sees where others end, but not these. */
 #if defined __SANITIZE_ADDRESS__
 #define MAP_LEAST SIZE_MAX
@@ -27,7 +28,7 @@
 #endif
 #endif
 #ifndef MAP_LEAST
-#define MAP_LEAST MOST_OF_IT
+#define MAP_LEAST LARGE
 #endif
 
 /* Stands in the 64 bytes before each block. */
@@ -121,12 +122,13 @@ static void *no_block(struct mem_book *book, struct mem_account *account, size_t
 	return NULL;
 }
 
-/* What is large starts with a huge page and is in huge pages, of which a small part may be unused: a page that is
- * written for the first time costs the kernel about as much as 4 KiB or as 2 MiB, and walks that read here and there
- * find its place sooner. */
+/* What is large starts with a huge page and is in huge pages, of which a small part may be unused: fewer pages are
+ * written for the first time, and walks that read here and there find their place sooner. A virtual machine may have to
+ * get each from its host first, which takes longer for 2 MiB than for 4 KiB; and smaller blocks would leave more unused
+ * than they win. */
 static bool is_large(size_t bytes)
 {
-	return bytes >= MOST_OF_IT;
+	return bytes >= LARGE;
 }
 
 static size_t rounded(size_t bytes)
@@ -200,6 +202,8 @@ void *mem_zalloc(struct mem_book *book, const char *purpose, size_t bytes)
 	} else {
 		base = calloc(1, bytes + 2 * ALIGN);
 		p = base + (ALIGN - (uintptr_t)base % ALIGN) % ALIGN;
+		if (base)
+			in_huge_pages(p, bytes); /* what is written as a whole */
 	}
 	return base ? begin_block(base, mapped, p + ALIGN, book, account, bytes) : no_block(book, account, bytes);
 }

@@ -21,7 +21,7 @@
 
 static const size_t size[] = {
 	0, 1, 63, 4096, 100000, MB - 64, MB - 1, MB, MB + 1, 2 * MB - 64, 2 * MB - 63, 2 * MB, 3 * MB - 65,
-	3 * MB - 64, 7680000, 8 * MB - 64, 8 * MB, 33 * MB + 5,
+	3 * MB - 64, 7680000, 8 * MB - 128, 8 * MB - 65, 8 * MB - 64, 8 * MB, 9 * MB - 65, 9 * MB - 64, 33 * MB + 5,
 };
 
 #define SIZES (sizeof(size) / sizeof(*size))

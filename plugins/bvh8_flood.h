@@ -36,7 +36,7 @@ struct flood { /* of a lot */
 	const struct lot *lot;
 	const struct batch *batch;
 	struct asked *asked;
-	float aim[LOT][16], box[LOT][16]; /* see ride_rows() */
+	float aim[LOT][16] __attribute__((aligned(64))), box[LOT][16]; /* see ride_rows() */
 	uint64_t octant[8]; /* lanes whose directions have these signs */
 	uint32_t octants;
 	uint64_t found; /* lanes */
